@@ -216,7 +216,7 @@ fn rock(spec: &DrillingSpec, case: &Case) -> String {
     let size_m = block.size_m[0];
     let mut text = format!(
         "rock of {} under {face}: {nx} x {ny} x {nz} elements of {}",
-        show(Dimension::Pressure, block.rock.ucs_Pa()),
+        show(Dimension::Stress, block.rock.ucs_Pa()),
         show(Dimension::Diameter, size_m),
     );
     if let Ok(step_s) = block.step_s() {

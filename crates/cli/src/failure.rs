@@ -48,7 +48,7 @@ impl fmt::Display for Failure {
 
 impl From<ResultsError> for Failure {
     fn from(error: ResultsError) -> Self {
-        Self::Failed(format!("error: {error}"))
+        Error::from(error).into()
     }
 }
 
@@ -68,13 +68,13 @@ impl From<Error> for Failure {
         let message = format!("error: {error}");
         match error {
             Error::Unsound(unsound) => Self::BadInput(unsound.render(color())),
-            Error::BadInput(_) => Self::BadInput(message),
             Error::NotResumable { noun, .. } => {
                 Self::BadInput(format!("{message}\nrun the {noun} without --resume to start again"))
             }
             Error::Folder(refused) => Self::BadInput(format!("{message}\n{}", way_out(&refused))),
-            Error::Results(_) | Error::Failed(_) => Self::Failed(message),
             Error::Interrupted => Self::Interrupted("interrupted: nothing was run".to_owned()),
+            error if error.is_bad_input() => Self::BadInput(message),
+            _ => Self::Failed(message),
         }
     }
 }

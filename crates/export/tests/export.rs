@@ -147,7 +147,7 @@ fn units_are_known() {
             let dimension = match part.0 {
                 "od" | "id" | "odMx" | "odBladeMx" => Dimension::Diameter,
                 "wtPerLen" => Dimension::MassPerLength,
-                "tensYield" => Dimension::Pressure,
+                "tensYield" => Dimension::Stress,
                 _ => Dimension::Length,
             };
             assert!(dimension.find_unit(symbol).is_some(), "{symbol}");

@@ -107,7 +107,7 @@ kinds! {
         TensionAndTorsion = tension_and_torsion, "Tension and torsion": Torque, Stops, 1.0 / 0.9;
         /// Von Mises stress of the body, bending at and between tool joints included, against its
         /// minimum yield strength. Default 1.25, common for drill pipe.
-        VonMises = von_mises, "Von Mises stress": Pressure, Stops, 1.25;
+        VonMises = von_mises, "Von Mises stress": Stress, Stops, 1.25;
         /// Pressure inside over that outside against the burst of the body. Default 1.1, as
         /// commonly planned.
         Burst = burst, "Burst": Pressure, Stops, 1.1;

@@ -149,7 +149,10 @@ pub struct Wording(String);
 
 /// A part of a wording in JSON.
 #[derive(Serialize, Deserialize)]
-#[serde(untagged)]
+#[serde(
+    untagged,
+    expecting = "a part of a sentence is neither a text nor a quantity with value, dimension and rounding"
+)]
 enum Part {
     Text(String),
     Quantity { value: Option<f64>, dimension: String, rounding: Rounding },

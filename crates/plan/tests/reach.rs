@@ -498,6 +498,78 @@ fn a_vertical_hole_has_a_sinusoid_of_its_own() {
     assert_eq!(margin(DepthLimit::Sinusoid).margin, 1.0, "{all:?}");
 }
 
+/// The helix of no hole begins before its sinusoid: places are vertical or inclined for both shapes
+/// alike, also in a hole that is nearly vertical.
+#[test]
+fn a_helix_begins_after_its_sinusoid() {
+    let file = verification("S5_reach.json");
+    let (mut buckled, mut both) = (0, 0);
+    let holes = [0.0, 0.3, 0.6, 1.0, 2.0, 4.0].map(|inclination| [inclination; 2]);
+    // A curve holds the pipe of a hole that is nearly vertical.
+    let curved = [[0.0, 2.0], [0.0, 5.0], [0.0, 10.0], [0.0, 20.0], [0.0, 40.0], [3.0, 0.0]];
+    for inclination in holes.into_iter().chain(curved) {
+        let [above, below] = inclination;
+        let well = setup(&file["inputs"], &[[0.0, above], [1500.0, below]], 0.3);
+        for weight_kN in (5..60).step_by(5).chain([80, 120, 200]) {
+            let slide = Operation::slide(1500.0).weight_on_bit_N(1e3 * f64::from(weight_kN));
+            let all = margins(&well, &slide, &of_soft(PLAIN)).expect("margins");
+            let margin =
+                |limit| all.iter().find(|margin| margin.limit == limit).map(|margin| margin.margin);
+            for (sinusoid, helix) in [
+                (DepthLimit::VerticalSinusoid, DepthLimit::VerticalHelix),
+                (DepthLimit::Sinusoid, DepthLimit::Helix),
+            ] {
+                let (Some(first), Some(then)) = (margin(sinusoid), margin(helix)) else { continue };
+                assert!(first <= then, "{inclination:?} deg, {weight_kN} kN: {first} {then}");
+                buckled += usize::from(then < 0.0);
+                both += usize::from(first < 0.0);
+            }
+        }
+    }
+    assert!(buckled > 20 && both > buckled, "{buckled} {both}");
+}
+
+/// Hoist and make-up torque that are exceeded by exactly the same part at the first depth already:
+/// the headline names the limit that the verdict of the operation names.
+#[test]
+fn an_equal_tie_has_one_limit() {
+    let file = verification("S5_reach.json");
+    let inputs = &file["inputs"];
+    let mut setup = setup(inputs, &[[0.0, 0.0], [1000.0, 0.0], [1500.0, 75.0]], 0.3);
+    let turn = Operation::rotate_off_bottom(0.0).rotary_speed_rad_per_s(10.0);
+    let pick_up = Operation::trip_out(0.0);
+    let settings =
+        ReachSettings { to_m: 4e3, depths: 4, factors: ONE, ..ReachSettings::from_depth(1600.0) };
+    let with = |setup: &mut Setup, hoist_N: f64, make_up_N_m: f64| {
+        setup.rig.hoist_capacity_N = Some(hoist_N);
+        setup.string.components[0].connection.make_up_torque_N_m = Some(make_up_N_m);
+        [&pick_up, &turn].map(|operation| reach(setup, operation, &settings).expect("a reach"))
+    };
+    let [_, turned] = with(&mut setup, 1e9, 1e9);
+    let load = |limit| {
+        let curve = turned.curves.iter().find(|curve| curve.limit == limit).expect("it concerns");
+        curve.margins[0].load
+    };
+    // Half of a number is exact, so that both margins are -1.
+    let (hoist_N, make_up_N_m) = (0.5 * load(DepthLimit::Hoist), 0.5 * load(DepthLimit::MakeUp));
+    let [_, tied] = with(&mut setup, hoist_N, make_up_N_m);
+    let equal = tied.curves.iter().filter(|curve| {
+        curve.stops && curve.end == End::Already(1600.0) && curve.there.margin == -1.0
+    });
+    let equal: Vec<DepthLimit> = equal.map(|curve| curve.limit).collect();
+    assert_eq!(equal.len(), 2, "{:?}", tied.curves);
+    let (_, verdict) = tied.stop().expect("a stop");
+    assert!(equal.contains(&verdict.limit));
+    let alone = [tied.clone()];
+    let (_, headline) = first_stop(&alone).expect("a stop");
+    assert_eq!(headline.limit, verdict.limit);
+    // Of two operations of the same limits, too, the headline is the verdict of the one it names.
+    let reaches = [tied.clone(), tied];
+    let (reach, headline) = first_stop(&reaches).expect("a stop");
+    let (_, verdict) = reach.stop().expect("a stop");
+    assert_eq!(headline.limit, verdict.limit);
+}
+
 /// A well with a dogleg of 24 deg/30 m in its build, and pipe with 300 m of heavy-weight pipe in it.
 fn dogleg() -> Setup {
     let stations = [

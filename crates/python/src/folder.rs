@@ -6,11 +6,8 @@ use std::{
 };
 
 use wholestring::outcome::SCALARS;
-use wholestring_results::{
-    BhaSummary, BitTestSummary, CalibrationSummary, Column, Data, ModesSummary, PlanSummary,
-    ReachSummary, ResultsError, Summary, TABLES, Table,
-};
-use wholestring_runner::results_kind;
+use wholestring_results::{Column, Data, ResultsError, TABLES, Table};
+use wholestring_runner::{check_summary, results_kind};
 
 /// Tables without a Parquet file: of a sweep; of a study, in its folders.
 const SWEEP: &str = "sweep";
@@ -25,20 +22,6 @@ pub(crate) struct Folder {
     pub(crate) summary: String,
 }
 
-/// Refuses a summary of another version.
-fn check(kind: &str, summary: &Path) -> Result<(), ResultsError> {
-    match kind {
-        "a run" => Summary::read(summary).map(drop),
-        "a plan" => PlanSummary::read(summary).map(drop),
-        "a reach" => ReachSummary::read(summary).map(drop),
-        "a calibration" => CalibrationSummary::read(summary).map(drop),
-        "modes" => ModesSummary::read(summary).map(drop),
-        "a static BHA analysis" => BhaSummary::read(summary).map(drop),
-        "a bit test" => BitTestSummary::read(summary).map(drop),
-        _ => Ok(()),
-    }
-}
-
 impl Folder {
     /// Reads the results of a command from a folder.
     pub(crate) fn read(path: PathBuf) -> Result<Self, ResultsError> {
@@ -50,7 +33,7 @@ impl Folder {
         if !summary.is_file() {
             return Ok(Self { path, kind, summary: "{}".to_owned() });
         }
-        check(kind, &summary)?;
+        check_summary(kind, &summary)?;
         let text = fs::read_to_string(&summary);
         let text = text.map_err(|source| ResultsError::Read { path: summary, source })?;
         Ok(Self { path, kind, summary: text })

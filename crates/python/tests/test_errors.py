@@ -242,6 +242,8 @@ def test_a_refused_thread_is_an_error_of_ours(tmp_path: Path) -> None:
 
 NOTHING: Any = None
 THREE: Any = 3
+LIST: Any = []
+PAIRS: Any = [("friction", [0.2])]
 
 
 WRONG: list[Callable[[Any], object]] = [
@@ -253,6 +255,31 @@ WRONG: list[Callable[[Any], object]] = [
     lambda case: case.simulation("drill").advance(None),
     lambda case: case.simulation("drill").advance(10**400),
     lambda case: ws.import_files(),
+    lambda case: ws.import_files("survey.csv", units=PAIRS),
+    lambda case: case.calibrate({"a": 1}),
+    lambda case: case.calibrate({"a": "one"}),
+    lambda case: case.calibrate({"a": {"b": 1}}),
+    lambda case: case.calibrate({"a": [[1.0, 2.0], [3.0]]}),
+    lambda case: case.calibrate({"a": [[1.0, 2.0], [3.0, 4.0]]}),
+    lambda case: case.calibrate({"a": [1.0]}, hold=["friction"]),
+    lambda case: case.calibrate({"a": [1.0]}, others=case),
+    lambda case: case.calibrate({"a": [1.0]}, others=[3]),
+    lambda case: case.calibrate({"a": [1.0]}, check_dynamics=[]),
+    lambda case: case.broomstick(frictions=[]),
+    lambda case: case.broomstick(bit_depths=[]),
+    lambda case: case.broomstick(operations=[]),
+    lambda case: case.broomstick(model=[]),
+    lambda case: case.broomstick(model=3),
+    lambda case: case.reach(friction=[]),
+    lambda case: case.reach(operation=[]),
+    lambda case: case.bha(weight=[]),
+    lambda case: case.soft([]),
+    lambda case: case.stiff(3),
+    lambda case: case.check([]),
+    lambda case: case.soft_many({"friction": 0.2}),
+    lambda case: ws.sweep(case, PAIRS),
+    lambda case: ws.study("study.toml", changes=LIST),
+    lambda case: ws.Case.from_dict(LIST),
 ]
 
 

@@ -251,7 +251,7 @@ def test_a_set_point_has_the_limits_of_the_case(short: ws.Case) -> None:
         ({"weight_on_bit": 1e12}, "weight on bit of"),
         ({"flow_rate": 1.0}, "flow rate of"),
         ({"rpm": 9.0, "ramp": -1.0}, "ramp of -1 s"),
-        ({"friction": []}, "`friction` is empty"),
+        ({"friction": []}, "`friction` was given no values"),
         ({"friction": "low"}, "'low' is no friction factor"),
     ]
     for refused, message in cases:

@@ -170,8 +170,8 @@ pub fn setting_dimension(key: &str) -> Option<(&'static str, &str)> {
     }
     let (dimension, name) = dimension_of(key)?;
     Some(match dimension {
-        // In GPa, unlike pressures.
-        Dimension::Pressure if name.ends_with("modulus") => ("modulus", name),
+        // In GPa, unlike other stresses.
+        Dimension::Stress if name.ends_with("modulus") => ("modulus", name),
         other => (other.name(), name),
     })
 }
@@ -228,7 +228,10 @@ mod tests {
             ("gauge_relief_m", "diameter"),
             ("mass_per_length_kg_per_m", "mass per length"),
             ("youngs_modulus_Pa", "modulus"),
-            ("yield_strength_Pa", "pressure"),
+            ("yield_strength_Pa", "stress"),
+            ("largest_von_mises_stress_Pa", "stress"),
+            ("pump_pressure_limit_Pa", "pressure"),
+            ("pump_pressure_Pa", "pressure"),
             ("rock_stiffness_N_per_m", "stiffness"),
             ("top_drive_torque_N_m", "torque"),
             ("rotary_speed_rad_per_s", "rotary speed"),

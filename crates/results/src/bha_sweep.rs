@@ -63,7 +63,7 @@ rows! {
             largest_bending_moment_N_m => Torque,
                 "Largest bending moment of the assembly; or `null`",
                 null_where "there is no equilibrium";
-            largest_von_mises_stress_Pa => Pressure, "Largest von Mises stress of it; or `null`",
+            largest_von_mises_stress_Pa => Stress, "Largest von Mises stress of it; or `null`",
                 null_where "there is no equilibrium";
             sag_inclination_rad => Angle,
                 "Correction of the first survey sensor's inclination; `null` without a sensor",

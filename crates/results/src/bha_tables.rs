@@ -28,8 +28,8 @@ rows! {
             "Size of the bending moment";
         tension_N => Force, "Effective tension";
         torque_N_m => Torque, "Torque";
-        bending_stress_Pa => Pressure, "Largest bending stress from here to the next node below";
-        von_mises_stress_Pa => Pressure,
+        bending_stress_Pa => Stress, "Largest bending stress from here to the next node below";
+        von_mises_stress_Pa => Stress,
             "Largest von Mises stress from here to the next node below";
     }
 

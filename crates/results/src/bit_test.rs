@@ -73,10 +73,10 @@ rows! {
             weight_on_bit_std_N => Force,
                 "Standard deviation of the weight carried by the rock, of means over \
                  `averaging_time_s`";
-            specific_energy_Pa => Pressure,
+            specific_energy_Pa => Stress,
                 "Work of the bit per volume of broken rock; `null` where none broke",
                 null_where "no rock broke";
-            mechanical_specific_energy_Pa => Pressure,
+            mechanical_specific_energy_Pa => Stress,
                 "Work of the bit per volume of hole, section times advance; `null` where the bit \
                  did not advance",
                 null_where "the bit did not advance";

@@ -54,6 +54,14 @@ impl ResultsError {
     pub(crate) fn format(path: &Path, reason: impl ToString) -> Self {
         Self::Format { path: path.to_owned(), reason: reason.to_string() }
     }
+
+    /// Whether a file that was to be read is at fault; otherwise results cannot be written.
+    pub fn is_of_reading(&self) -> bool {
+        match self {
+            Self::Read { .. } | Self::Format { .. } | Self::Checkpoint { .. } => true,
+            Self::Folder { .. } | Self::Write { .. } => false,
+        }
+    }
 }
 
 /// The system's reason in the user's words, with a remedy where there is one.

@@ -3,6 +3,7 @@
 use std::{io::Write, ops::RangeInclusive, path::Path};
 
 use serde::{Serialize, de::DeserializeOwned};
+use serde_json::error::Category;
 
 use crate::{
     ResultsError,
@@ -43,7 +44,7 @@ pub(crate) fn versioned<T: DeserializeOwned>(
     known: RangeInclusive<u32>,
 ) -> Result<T, ResultsError> {
     let value: serde_json::Value =
-        serde_json::from_slice(text).map_err(|error| ResultsError::format(path, error))?;
+        serde_json::from_slice(text).map_err(|error| ResultsError::format(path, defect(&error)))?;
     // Checked first, so that a newer file is not reported as malformed.
     match value.get("schema_version").and_then(|v| v.as_u64()) {
         Some(version) if u32::try_from(version).is_ok_and(|version| known.contains(&version)) => {}
@@ -55,7 +56,69 @@ pub(crate) fn versioned<T: DeserializeOwned>(
         }
         None => return Err(ResultsError::format(path, "it has no schema_version")),
     }
-    serde_json::from_value(value).map_err(|error| ResultsError::format(path, error))
+    serde_json::from_value(value).map_err(|error| {
+        // The text, read once more, gives the line.
+        let error = serde_json::from_slice::<T>(text).err().unwrap_or(error);
+        ResultsError::format(path, defect(&error))
+    })
+}
+
+/// Reads a summary of any kind and version.
+///
+/// # Errors
+/// A file that cannot be read, or is no JSON.
+pub fn read_any_summary(path: &Path) -> Result<serde_json::Value, ResultsError> {
+    let text = read_at_most(path, LARGEST)?;
+    serde_json::from_slice(&text).map_err(|error| ResultsError::format(path, defect(&error)))
+}
+
+/// Defect of a JSON file in words. The library's sentences name types of the program.
+fn defect(error: &serde_json::Error) -> String {
+    let place = match error.line() {
+        0 => String::new(),
+        line => format!(" at line {line}"),
+    };
+    match error.classify() {
+        Category::Eof => {
+            format!("its text ends{place} before it is complete, expected the whole summary")
+        }
+        Category::Syntax | Category::Io => {
+            format!("its text is no JSON{place}, expected the summary as it was written")
+        }
+        Category::Data => format!("{}{place}", unexpected(&error.to_string())),
+    }
+}
+
+/// A value that is not of its kind, in words.
+fn unexpected(sentence: &str) -> String {
+    let sentence = sentence.rsplit_once(" at line ").map_or(sentence, |(sentence, _)| sentence);
+    if let Some(key) = sentence.strip_prefix("missing field ") {
+        return format!("it has no {key}");
+    }
+    if let Some((word, expected)) =
+        sentence.strip_prefix("unknown variant ").and_then(|rest| rest.split_once(", "))
+    {
+        return format!("{word} is unknown, {expected}");
+    }
+    let typed = ["invalid type: ", "invalid value: "]
+        .iter()
+        .find_map(|begin| sentence.strip_prefix(begin)?.split_once(", expected "));
+    match typed {
+        Some((value, expected)) => format!("a value is {value}, expected {}", kind(expected)),
+        None => sentence.to_owned(),
+    }
+}
+
+/// The kind of a value that the library names by a type of the program.
+fn kind(expected: &str) -> &str {
+    let begins = |words: &[&str]| words.iter().any(|word| expected.starts_with(word));
+    match expected {
+        "f64" | "f32" => "a number",
+        "usize" | "u64" | "u32" | "u8" | "i64" | "i32" => "a whole number",
+        _ if begins(&["struct ", "a map", "internally tagged", "adjacently tagged"]) => "a table",
+        _ if begins(&["a sequence", "a tuple", "tuple ", "an array"]) => "a list",
+        other => other,
+    }
 }
 
 /// `1`, or `1 to 3`.

@@ -75,6 +75,7 @@ pub use folder::ResultsFolder;
 pub use frames::{FrameWriter, FramesSoFar};
 pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
+pub use json::read_any_summary;
 pub use modes::{
     CRITICAL_SPEEDS, CriticalSpeed, MODES, MODES_VERSION, ModeFound, ModesRows, ModesSummary, Spot,
 };

@@ -63,7 +63,7 @@ pub(crate) fn footer(file: &File) -> Result<(), String> {
         [3] | [4, 2 | 3] | [4, 1, 3, 5 | 6 | 7 | 9 | 10 | 11] => negative |= value < 0,
         _ => {}
     })
-    .map_err(|error| format!("its footer is damaged ({error})"))?;
+    .map_err(|_| "its footer is damaged")?;
     if groups > 1 {
         return Err("its columns are nested; a flat table was expected".into());
     }

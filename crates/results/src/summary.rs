@@ -60,7 +60,10 @@ pub enum Status {
 
 /// Kinetic friction of the hole.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(untagged)]
+#[serde(
+    untagged,
+    expecting = "a `friction` is neither a number nor a list with a number for each hole section"
+)]
 pub enum Friction {
     /// The same in every hole section.
     Uniform(f64),

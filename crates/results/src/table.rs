@@ -386,7 +386,7 @@ impl Table {
     pub fn read_csv(path: &Path) -> Result<Self, ResultsError> {
         let bytes = read_at_most(path, LARGEST_CSV)?;
         let mut csv = csv::Reader::from_reader(&bytes[..]);
-        let malformed = |error: csv::Error| ResultsError::format(path, error);
+        let malformed = |error: csv::Error| ResultsError::format(path, defect(&error));
         let names = csv.headers().map_err(malformed)?.clone();
         let mut columns: Vec<Vec<String>> = vec![Vec::new(); names.len()];
         let mut cells = 0;
@@ -434,6 +434,23 @@ impl Table {
 
 fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
+}
+
+/// Defect of a CSV file in words.
+fn defect(error: &csv::Error) -> String {
+    let line = |position: &Option<csv::Position>| match position {
+        Some(position) => format!("line {}", position.line()),
+        None => "a line".to_owned(),
+    };
+    match error.kind() {
+        csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
+            format!("{} has {len} values, expected {expected_len} as in its heading", line(pos))
+        }
+        csv::ErrorKind::Utf8 { pos, .. } => {
+            format!("{} is not UTF-8 text", line(pos))
+        }
+        _ => "it is no table of comma-separated values".to_owned(),
+    }
 }
 
 fn io_error(error: csv::Error) -> io::Error {

@@ -51,7 +51,7 @@ rows! {
         amplitude_m: f64 => Length,
             "Largest displacement of a node of the assembly from its position at rest";
         amplitude_md_m: f64 => Depth, "Measured depth of that node";
-        bending_stress_Pa: f64 => Pressure, "Largest bending stress added by the vibration";
+        bending_stress_Pa: f64 => Stress, "Largest bending stress added by the vibration";
         bending_stress_md_m: f64 => Depth, "Measured depth of that stress";
         component: String => Words, "The component of that stress";
     }

@@ -281,9 +281,50 @@ fn another_version_is_refused_by_number() {
         let error = Summary::read(&path).unwrap_err().to_string();
         assert_eq!(error, format!("{} is not a file of results: {reason}", path.display()));
     }
-    for text in ["", "{", r#"{"schema_version": 1, "case": 3}"#] {
-        fs::write(&path, text).unwrap();
-        assert!(Summary::read(&path).is_err(), "{text}");
+}
+
+/// A damaged summary is reported in words, with its line: no type of the program is named.
+#[test]
+fn a_damaged_summary_is_reported_in_words() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("summary.json");
+    summary(vec![soft()]).write(&path).unwrap();
+    let valid = fs::read_to_string(&path).unwrap();
+    let check = r#""checks": [{"kind": "hoist", "severity": "ok", "verdict": "OK",
+        "component": null, "md_m": null, "to_md_m": null, "value": 1.0, "limit": 2.0,
+        "factor": 2.0, "required": 1.0, "unit": "N", "sentence": "s", "parts": [{"value": 3}]}]"#;
+    let cut = "its text ends at line 3 before it is complete, expected the whole summary";
+    for (text, reason) in [
+        (String::new(), "its text ends at line 1 before it is complete"),
+        (valid.lines().take(3).collect::<Vec<_>>().join("\n"), cut),
+        (valid.replacen(':', "=", 1), "its text is no JSON at line 2, expected the summary"),
+        (valid.replacen("\"operations\"", "\"others\"", 1), "it has no `operations` at line"),
+        (
+            valid.replacen("\"soft\"", "\"supple\"", 1),
+            "`supple` is unknown, expected one of `soft`, `stiff`, `dynamic`",
+        ),
+        (
+            valid.replacen("\"case\": \"", "\"case\": 3, \"was\": \"", 1),
+            "a value is integer `3`, expected a string at line 4",
+        ),
+        (
+            valid.replacen("\"friction\": ", "\"friction\": {}, \"was\": ", 1),
+            "a `friction` is neither a number nor a list with a number for each hole section",
+        ),
+        (
+            valid.replacen("\"checks\": []", check, 1),
+            "a part of a sentence is neither a text nor a quantity",
+        ),
+    ] {
+        fs::write(&path, &text).unwrap();
+        let error = Summary::read(&path).unwrap_err();
+        assert!(error.is_of_reading());
+        let error = error.to_string();
+        let begin = format!("{} is not a file of results: {reason}", path.display());
+        assert!(error.starts_with(&begin), "{error}, expected {reason}");
+        for word in ["untagged", "enum", "struct", "EOF", "f64", "column"] {
+            assert!(!error.contains(word), "{error}");
+        }
     }
 }
 

@@ -55,6 +55,18 @@ impl Error {
         Self::BadInput(reason.to_string())
     }
 
+    /// Whether the request, or a file or folder that it names, is at fault; otherwise the work
+    /// failed or was stopped.
+    pub fn is_bad_input(&self) -> bool {
+        match self {
+            Self::Unsound(_) | Self::BadInput(_) | Self::NotResumable { .. } | Self::Folder(_) => {
+                true
+            }
+            Self::Results(error) => error.is_of_reading(),
+            Self::Failed(_) | Self::Interrupted => false,
+        }
+    }
+
     /// A failure described completely by another error.
     pub(crate) fn failed(error: impl fmt::Display) -> Self {
         Self::Failed(error.to_string())

@@ -109,6 +109,6 @@ pub use output::{Existing, Output};
 pub use page::write_picture;
 pub use pictures::{pictures, pictures_folder};
 pub use reports::write_report;
-pub use results_kinds::results_kind;
+pub use results_kinds::{check_summary, results_kind};
 pub use shard::Shard;
 pub use wholestring_report::{display_units, well_path};

@@ -52,8 +52,7 @@ pub(crate) trait Results: Sized {
 
     /// Rewrites page and pictures.
     fn write_again(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<(), Error> {
-        let found = Self::gather(folder.path(), units).map_err(Error::bad_input)?;
-        Ok(found.write(folder, false)?)
+        Ok(Self::gather(folder.path(), units)?.write(folder, false)?)
     }
 }
 
@@ -99,7 +98,7 @@ impl ResultsKind {
             files: R::FILES,
             overlay: Overlay::Nothing,
             write_again: R::write_again,
-            plots: |folder, units| Ok(R::gather(folder, units).map_err(Error::bad_input)?.plots()),
+            plots: |folder, units| Ok(R::gather(folder, units)?.plots()),
         }
     }
 

@@ -3,6 +3,10 @@
 use std::{fs, path::Path};
 
 use wholestring_report::{Bha, BitTest, Calibration, Modes, Plan, Reach};
+use wholestring_results::{
+    BhaSummary, BitTestSummary, CalibrationSummary, ModesSummary, PlanSummary, ReachSummary,
+    ResultsError, Summary,
+};
 
 use crate::{error::Error, results_kind::ResultsKind, run::pictures::RUN, sweep::page::SWEEP};
 
@@ -32,6 +36,23 @@ pub fn results_kind(folder: &Path) -> Result<&'static str, Error> {
         let is_study = entries.any(|entry| (SWEEP.is_in)(&entry.path()));
         if is_study { Ok(STUDY) } else { Err(error) }
     })
+}
+
+/// Reads the summary of results of a kind for its errors alone: those of its layout and version.
+///
+/// # Errors
+/// A summary that cannot be read.
+pub fn check_summary(noun: &str, summary: &Path) -> Result<(), ResultsError> {
+    match noun {
+        "a run" => Summary::read(summary).map(drop),
+        "a plan" => PlanSummary::read(summary).map(drop),
+        "a reach" => ReachSummary::read(summary).map(drop),
+        "a calibration" => CalibrationSummary::read(summary).map(drop),
+        "modes" => ModesSummary::read(summary).map(drop),
+        "a static BHA analysis" => BhaSummary::read(summary).map(drop),
+        "a bit test" => BitTestSummary::read(summary).map(drop),
+        _ => Ok(()),
+    }
 }
 
 /// Kind of results in the folder.

@@ -20,17 +20,13 @@ pub(crate) fn sheet(name: &str, table: &Table, about: &str, units: UnitSet) -> S
 /// Columns whose unit is given for each row.
 const OF_ROWS: [&str; 2] = ["load", "capacity"];
 
-/// SI units given for rows, and their dimensions.
-const ROW_UNITS: [(&str, &str); 3] = [("N", "force"), ("N·m", "torque"), ("Pa", "pressure")];
-
-/// Display unit of each row, for a table with units for each row.
+/// Display unit of each row, for a table of checks, each with its unit: that of the kind of check.
 fn row_units(table: &Table, units: UnitSet) -> Option<Vec<DisplayUnit>> {
-    let unit_of_row = |si: &String| {
-        let dimension =
-            ROW_UNITS.iter().find(|(symbol, _)| symbol == si).map_or("", |entry| entry.1);
+    let unit_of_row = |(kind, si): (&String, &String)| {
+        let dimension = CheckKind::named(kind).map_or("", |kind| kind.quantity().dimension());
         display_unit(dimension, units).unwrap_or(DisplayUnit { symbol: si.clone(), factor: 1.0 })
     };
-    Some(table.words("unit")?.iter().map(unit_of_row).collect())
+    Some(table.words("kind")?.iter().zip(table.words("unit")?).map(unit_of_row).collect())
 }
 
 /// Dimensions of a wall, which are as small as a diameter.
@@ -142,6 +138,8 @@ fn readable(column: &Column, word: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use wholestring_results::TABLES;
+
     use super::*;
 
     /// A unit that is longer than the one at the end of the name: the work is not a length.
@@ -177,6 +175,28 @@ mod tests {
         // A varied key has the unit of its dimension.
         assert_eq!(head_and_value("wob", "N").0, "wob, klbf");
         assert_eq!(head_and_value("rpm", "rpm"), ("rpm, rpm".to_owned(), 1.0));
+    }
+
+    /// Engineers read stresses in MPa where they read pressures in bar.
+    #[test]
+    fn stresses_are_not_in_the_unit_of_pressures() {
+        let declared = TABLES.iter().flat_map(|(_, columns)| columns.iter());
+        let mut found = Vec::new();
+        for spec in declared.filter(|spec| spec.unit == "Pa") {
+            let dimension = setting_dimension(spec.name).map(|(dimension, _)| dimension);
+            assert_eq!(dimension, Some(spec.kind.dimension()), "{}", spec.name);
+            found.push(spec.kind.dimension());
+        }
+        assert!(found.contains(&"stress") && found.contains(&"pressure"), "{found:?}");
+
+        let limits = Table::new(vec![
+            Column::words("kind", ["von_mises", "pump_pressure"].map(str::to_owned).into()),
+            Column::numbers("load", vec![Some(5e8), Some(2e7)]),
+            Column::words("unit", vec!["Pa".to_owned(); 2]),
+        ]);
+        let sheet = sheet("S", &limits, "", UnitSet::Metric);
+        assert_eq!(sheet.columns[1].cells, Cells::Numbers(vec![Some(500.0), Some(200.0)]));
+        assert_eq!(sheet.columns[2].cells, Cells::Words(vec!["MPa".to_owned(), "bar".to_owned()]));
     }
 
     /// Headings have the field's words.

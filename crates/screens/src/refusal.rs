@@ -74,6 +74,7 @@ impl From<Error> for Refusal {
     fn from(error: Error) -> Self {
         match error {
             Error::BadInput(message) => Self::bad_input(message),
+            Error::Results(error) if error.is_of_reading() => Self::bad_input(error.to_string()),
             error => Self::failed(error),
         }
     }

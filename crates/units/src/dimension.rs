@@ -71,8 +71,10 @@ dimensions! {
     Force: "force", FORCE, ["kN", "t", "klbf"];
     /// Torques and bending moments, N·m.
     Torque: "torque", TORQUE, ["kN.m", "kN.m", "ft-lbf"];
-    /// Pressures, stresses, moduli, Pa.
+    /// Pressures of fluids, Pa.
     Pressure: "pressure", PRESSURE, ["MPa", "bar", "psi"];
+    /// Stresses, strengths and moduli of solids, and works per volume, Pa.
+    Stress: "stress", PRESSURE, ["MPa", "MPa", "psi"];
     /// Densities of mud and material, kg/m³.
     Density: "density", DENSITY, ["kg/m3", "sg", "ppg"];
     /// Weights of pipe, as mass per length, kg/m.

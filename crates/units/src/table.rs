@@ -301,7 +301,7 @@ pub(crate) const HOIST_GAIN: &[Unit] = &[
 
 pub(crate) const TIME: &[Unit] = &[
     unit("s", 1.0, &["sec", "secs", "second", "seconds", "с", "сек"]),
-    unit("ms", 1e-3, &[]),
+    unit("ms", 1e-3, &["msec", "msecs", "millisecond", "milliseconds"]),
     unit("min", MINUTE, &["mins", "minute", "minutes", "мин"]),
     unit("h", HOUR, &["hr", "hrs", "hour", "hours", "ч"]),
     unit("d", DAY, &["day", "days"]),

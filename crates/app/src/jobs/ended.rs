@@ -75,6 +75,7 @@ impl Ended {
             Error::Unsound(_) | Error::BadInput(_) => (State::Refused, None),
             Error::NotResumable { .. } => (State::Refused, Some(Refusal::NotResumable)),
             Error::Folder(refused) => (State::Refused, refusal(refused)),
+            Error::Results(error) if error.is_of_reading() => (State::Refused, None),
             Error::Results(_) | Error::Failed(_) => (State::Failed, None),
             Error::Interrupted => (State::Stopped, None),
         };

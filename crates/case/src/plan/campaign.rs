@@ -67,7 +67,7 @@ table! {
 
 fn stress(example: &'static str) -> Quantity {
     let range = Range::from_to(1e6, 1e10).usual(1e7, 2e9);
-    Quantity::si(Dimension::Pressure, range, example)
+    Quantity::si(Dimension::Stress, range, example)
 }
 
 /// Builds the campaign, of a string in its hole with the bit at a deepest depth, m.
@@ -204,7 +204,7 @@ fn bears(
 ) -> Option<()> {
     match stress {
         Some(stress) if stress.value >= tensile.value => {
-            let shown = |stress_Pa: f64| reader.shown(Dimension::Pressure, stress_Pa);
+            let shown = |stress_Pa: f64| reader.shown(Dimension::Stress, stress_Pa);
             Diagnostic::error(format!("{what} is not below the tensile strength"))
                 .at(stress.place, shown(stress.value))
                 .at(tensile.place, shown(tensile.value))
@@ -227,7 +227,7 @@ fn yields(tensile: &Spanned<f64>, string: &StringSpec, reader: &mut Reader) -> O
         ))
         .at(
             tensile.place,
-            format!("{} yields at {}", component.name, reader.shown(Dimension::Pressure, yield_Pa)),
+            format!("{} yields at {}", component.name, reader.shown(Dimension::Stress, yield_Pa)),
         )
         .help("it is that of all pipe; without it each grade has its own")
         .refuse(reader),

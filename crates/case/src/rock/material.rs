@@ -81,7 +81,7 @@ impl RockTable {
         if let Some(entry) = self.tensile_strength.given()
             && bears_Pa < entry.value
         {
-            let most = reader.shown(Dimension::Pressure, bears_Pa);
+            let most = reader.shown(Dimension::Stress, bears_Pa);
             Diagnostic::warning("the rock shears before it reaches this tension")
                 .at(entry.place, format!("its cone allows {most} in sum of the principal stresses"))
                 .report(reader);

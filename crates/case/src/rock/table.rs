@@ -11,6 +11,10 @@ fn pressure(range: Range, example: &'static str) -> Quantity {
     Quantity::si(Dimension::Pressure, range, example)
 }
 
+fn stress(range: Range, example: &'static str) -> Quantity {
+    Quantity::si(Dimension::Stress, range, example)
+}
+
 fn angle(range: Range, example: &'static str) -> Quantity {
     Quantity::si(Dimension::Angle, range, example).bare("deg", DEGREE)
 }
@@ -28,9 +32,9 @@ table! {
     /// cohesion is required; the other defaults are typical of sandstone and limestone.
     RockTable in "[rock]" {
         /// Unconfined compressive strength. Raising it slows the bit down.
-        strength: f64 = optional(pressure(Range::from_to(1e5, 1e9).usual(1e6, 6e8), "60 MPa"));
+        strength: f64 = optional(stress(Range::from_to(1e5, 1e9).usual(1e6, 6e8), "60 MPa"));
         /// In place of the strength: cohesion of Mohr and Coulomb.
-        cohesion: f64 = optional(pressure(Range::from_to(1e4, 1e9).usual(1e5, 2e8), "15 MPa"));
+        cohesion: f64 = optional(stress(Range::from_to(1e4, 1e9).usual(1e5, 2e8), "15 MPa"));
         /// Friction angle of Mohr and Coulomb; a bare number is in deg. Raising it increases the
         /// gain of strength with confinement.
         friction_angle: f64 = default(
@@ -44,7 +48,7 @@ table! {
         /// Young's modulus. Raising it makes the rock stiffer and more brittle, shortens its steps,
         /// and raises the work per drilled volume: 1.3 times at twice the default, for which
         /// `crushing_energy` is calibrated. Default: 300 times the strength.
-        youngs_modulus: f64 = optional(pressure(Range::from_to(1e7, 1e12).usual(1e8, 2e11), "18 GPa"));
+        youngs_modulus: f64 = optional(stress(Range::from_to(1e7, 1e12).usual(1e8, 2e11), "18 GPa"));
         /// Poisson's ratio.
         poisson_ratio: f64 = default(Number { unit: "", range: Range::from_to(0.0, 0.45) }, 0.25);
         /// Density. Raising it lengthens the rock's steps.
@@ -54,11 +58,11 @@ table! {
         );
         /// Strength in uniaxial tension. Raising it leaves less to chip and more to crush. Default:
         /// a tenth of the strength.
-        tensile_strength: f64 = optional(pressure(Range::from_to(1e3, 1e9).usual(1e5, 1e8), "6 MPa"));
+        tensile_strength: f64 = optional(stress(Range::from_to(1e3, 1e9).usual(1e5, 1e8), "6 MPa"));
         /// Least energy of failure per volume, in tension and in compression. Raising it raises the
         /// bit's work per drilled volume about in proportion. Default: 0.085 of the strength, with
         /// which that work is about the strength.
-        crushing_energy: f64 = optional(pressure(Range::positive_to(1e9), "5 MJ/m3"));
+        crushing_energy: f64 = optional(stress(Range::positive_to(1e9), "5 MJ/m3"));
         /// Energy of a tensile crack per area. Elements of more than some millimetres are crushed
         /// throughout, so that it has no effect on them. Default: 80 J/m2.
         tensile_fracture_energy: f64 = optional(toughness("80 J/m2"));

@@ -12,7 +12,7 @@ pub(crate) fn density() -> Quantity {
 }
 
 pub(crate) fn modulus(example: &'static str) -> Quantity {
-    Quantity::si(Dimension::Pressure, Range::from_to(1e9, 1e12).usual(1e10, 3e11), example)
+    Quantity::si(Dimension::Stress, Range::from_to(1e9, 1e12).usual(1e10, 3e11), example)
 }
 
 /// Default density of the string's metal, kg/m³.
@@ -52,8 +52,8 @@ pub(crate) fn check_moduli(material: &Material, place: Span, reader: &mut Reader
     if !(0.0..=0.5).contains(&poisson) {
         Diagnostic::warning(format!(
             "the moduli of {} and {} make a Poisson's ratio of {}",
-            reader.shown(Dimension::Pressure, material.youngs_modulus_Pa),
-            reader.shown(Dimension::Pressure, material.shear_modulus_Pa),
+            reader.shown(Dimension::Stress, material.youngs_modulus_Pa),
+            reader.shown(Dimension::Stress, material.shear_modulus_Pa),
             number_text((poisson * 100.0).round() / 100.0)
         ))
         .at(place, "Young's and shear modulus are given separately")

@@ -19,7 +19,7 @@ pub(crate) fn mass_per_length() -> Quantity {
 }
 
 pub(crate) fn yield_strength() -> Quantity {
-    Quantity::si(Dimension::Pressure, Range::from_to(1e7, 1e10).usual(1.5e8, 1.5e9), "931 MPa")
+    Quantity::si(Dimension::Stress, Range::from_to(1e7, 1e10).usual(1.5e8, 1.5e9), "931 MPa")
 }
 
 pub(crate) fn make_up_torque() -> Quantity {

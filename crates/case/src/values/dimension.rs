@@ -14,7 +14,11 @@ const OF_THE_RECORD: &[(&str, &str, Dimension)] = &[
     ("core_radius_m", "core_radius", Dimension::Diameter),
     ("frequency_Hz", "frequency", Dimension::Frequency),
     ("rate_of_penetration_m_per_s", "rate_of_penetration", Dimension::RateOfPenetration),
+    ("bending_Pa", "bending", Dimension::Stress),
 ];
+
+/// Words in the names of stresses, which share their unit with pressures.
+const OF_STRESSES: [&str; 4] = ["stress", "strength", "modulus", "specific_energy"];
 
 /// Dimensions by unit, for keys without another rule.
 const BY_UNIT: &[Dimension] = &[
@@ -69,6 +73,12 @@ pub fn dimension_of(key: &str) -> Option<(Dimension, &str)> {
         .filter_map(|dimension| Some((*dimension, without(key, *dimension)?)))
         // The longer unit wins: `m_per_s` over `per_s`.
         .min_by_key(|(_, name)| name.len())
+        .map(|(dimension, name)| match dimension {
+            Dimension::Pressure if OF_STRESSES.iter().any(|word| name.contains(word)) => {
+                (Dimension::Stress, name)
+            }
+            other => (other, name),
+        })
 }
 
 /// Returns the dimension of the value of a dotted or short key of the case file, lists counted from
@@ -199,6 +209,9 @@ mod tests {
             ("rotary_speed_rad_per_s", Dimension::RotarySpeed),
             ("mass_per_s", Dimension::Frequency),
             ("consistency_Pa_s_n", Dimension::Consistency),
+            ("pump_pressure_Pa", Dimension::Pressure),
+            ("largest_von_mises_stress_Pa", Dimension::Stress),
+            ("mechanical_specific_energy_Pa", Dimension::Stress),
         ] {
             assert_eq!(dimension_of(key).map(|(dimension, _)| dimension), Some(expected), "{key}");
         }

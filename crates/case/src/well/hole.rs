@@ -135,7 +135,7 @@ table! {
         /// Young's modulus of the wall. Default: 210 GPa in casing; 51.5 GPa in open hole, from the
         /// article that the dynamics follow. Used by Hertz contact.
         youngs_modulus: f64 = optional(Quantity::si(
-            Dimension::Pressure,
+            Dimension::Stress,
             Range::from_to(1e6, 2e12).usual(1e8, 3e11),
             "51.5 GPa",
         ));

@@ -15,7 +15,7 @@ use wholestring_units::{Unit, UnitSet};
 use crate::well::{
     hole::HoleTable,
     roughness::RoughnessTable,
-    stations::{LengthUnit, StationRule, Stations},
+    stations::{LengthUnit, Listed, StationRule, Stations},
     tortuosity::TortuosityTable,
 };
 
@@ -44,8 +44,9 @@ table! {
     WellTable in "[well]" {
         /// Survey file, relative to the case, CSV or Excel, with columns md, inc and azi.
         survey: String = optional(Text);
-        /// The survey itself, instead of a file: a list of [md, inc, azi] in m, deg and deg.
-        stations: Vec<Spanned<[f64; 3]>> = optional(List::of(StationRule, "stations", 100_000));
+        /// The survey itself, instead of a file: a list of [md, inc, azi] in m, deg and deg; a
+        /// station of inclination 0 may lack the azimuth.
+        stations: Vec<Spanned<Listed>> = optional(List::of(StationRule, "stations", 100_000));
         /// Unit of the lengths in the survey file, such as "m" or "ft", where the file does not
         /// contain it. Without a unit the file is refused.
         survey_unit: &'static Unit = optional(LengthUnit);

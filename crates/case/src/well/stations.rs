@@ -204,7 +204,16 @@ impl Rule for LengthUnit {
     }
 }
 
-/// A station in the case: `[md, inc, azi]`.
+/// A station as it is listed in the case.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Listed {
+    md_m: f64,
+    inclination_rad: f64,
+    /// None of a vertical hole, which needs no azimuth.
+    azimuth_rad: Option<f64>,
+}
+
+/// A station in the case: `[md, inc, azi]`; a vertical one may lack the azimuth.
 pub(crate) struct StationRule;
 
 impl StationRule {
@@ -224,14 +233,22 @@ impl StationRule {
     }
 }
 
-impl Rule for StationRule {
-    type Value = [f64; 3];
+/// Whether a value is `nan`, which stands for no value.
+fn is_missing(node: &Node) -> bool {
+    matches!(node.value, Value::Number { value, .. } if value.is_nan())
+}
 
-    fn read(&self, node: &Node, reader: &mut Reader) -> Option<[f64; 3]> {
+impl Rule for StationRule {
+    type Value = Listed;
+
+    fn read(&self, node: &Node, reader: &mut Reader) -> Option<Listed> {
         let items = match &node.value {
-            Value::List(items) if items.len() == 3 => items,
+            Value::List(items) if (2..=3).contains(&items.len()) => items,
             _ => {
                 let message = match &node.value {
+                    Value::List(items) if items.len() == 1 => {
+                        "this station has 1 number".to_owned()
+                    }
                     Value::List(items) => format!("this station has {} numbers", items.len()),
                     other => format!("a station is three numbers, found {}", other.noun()),
                 };
@@ -240,31 +257,49 @@ impl Rule for StationRule {
                     .refuse(reader);
             }
         };
+        let azimuth = items.get(2).filter(|azimuth| !is_missing(azimuth));
         let cells = Self::cells();
-        let mut values = [None; 3];
-        for (i, (cell, item)) in cells.iter().zip(items).enumerate() {
-            reader.key = ["md", "inc", "azi"][i];
-            values[i] = cell.read(item, reader);
-        }
-        let [Some(md), Some(inclination), Some(azimuth)] = values else {
-            return None;
+        let mut read = |place: usize, item: &Node| {
+            reader.key = ["md", "inc", "azi"][place];
+            cells[place].read(item, reader)
         };
-        Some([md, inclination, azimuth])
+        let md_m = read(0, &items[0]);
+        let inclination_rad = read(1, &items[1]);
+        let azimuth_rad = match azimuth {
+            Some(item) => Some(read(2, item)?),
+            None => None,
+        };
+        let (md_m, inclination_rad) = (md_m?, inclination_rad?);
+        if azimuth_rad.is_none() && inclination_rad != 0.0 {
+            let (place, found) = match items.get(2) {
+                Some(item) => (item.place, "it has no value"),
+                None => (node.place, "expected [md, inc, azi]"),
+            };
+            let degrees = number_text((inclination_rad.to_degrees() * 100.0).round() / 100.0);
+            return Diagnostic::error(format!(
+                "the station at {} has an inclination of {degrees} deg and no azimuth",
+                reader.shown(Dimension::Length, md_m)
+            ))
+            .at(place, found)
+            .help("only a vertical station, of inclination 0, needs no azimuth")
+            .refuse(reader);
+        }
+        Some(Listed { md_m, inclination_rad, azimuth_rad })
     }
 
     fn schema(&self) -> serde_json::Value {
         let cells: Vec<_> = Self::cells().iter().map(Rule::schema).collect();
-        json!({ "type": "array", "prefixItems": cells, "minItems": 3, "maxItems": 3 })
+        json!({ "type": "array", "prefixItems": cells, "minItems": 2, "maxItems": 3 })
     }
 }
 
 /// Returns the stations in the case.
-pub(crate) fn from_case(listed: &Spanned<Vec<Spanned<[f64; 3]>>>) -> Stations {
+pub(crate) fn from_case(listed: &Spanned<Vec<Spanned<Listed>>>) -> Stations {
     let mut notes = Vec::new();
-    let mut rows: Vec<&Spanned<[f64; 3]>> = listed.value.iter().collect();
+    let mut rows: Vec<&Spanned<Listed>> = listed.value.iter().collect();
     let is_turned = rows.len() > 2
-        && rows.is_sorted_by(|a, b| a.value[0] >= b.value[0])
-        && rows.first().map(|row| row.value[0]) > rows.last().map(|row| row.value[0]);
+        && rows.is_sorted_by(|a, b| a.value.md_m >= b.value.md_m)
+        && rows.first().map(|row| row.value.md_m) > rows.last().map(|row| row.value.md_m);
     if is_turned {
         rows.reverse();
         notes.push("the deepest station is listed first: the list is reversed".to_owned());
@@ -278,13 +313,19 @@ pub(crate) fn from_case(listed: &Spanned<Vec<Spanned<[f64; 3]>>>) -> Stations {
             notes.push(format!("{left} stations are identical to those above and are left out"));
         }
     }
-    let list = rows.iter().map(|at| {
-        let [md_m, inclination_rad, azimuth_rad] = at.value;
-        Station { md_m, inclination_rad, azimuth_rad }
+    let without = rows.iter().filter(|row| row.value.azimuth_rad.is_none()).count();
+    if without > 0 {
+        let stations =
+            if without == 1 { "1 station".to_owned() } else { format!("{without} stations") };
+        notes.push(format!("the azimuth of {stations}, vertical and without one, is taken as 0"));
+    }
+    let list = rows.iter().map(|row| {
+        let Listed { md_m, inclination_rad, azimuth_rad } = row.value;
+        Station { md_m, inclination_rad, azimuth_rad: azimuth_rad.unwrap_or(0.0) }
     });
     Stations {
         list: list.collect(),
-        places: rows.iter().map(|at| at.place).collect(),
+        places: rows.iter().map(|row| row.place).collect(),
         whole: listed.place,
         tie_in: None,
         notes,

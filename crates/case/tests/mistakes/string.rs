@@ -131,6 +131,8 @@ fn weights_and_gauges() {
         r#"
         warn_nominal_weight: `catalogue = "5-1/2 in 21.90 lb/ft S-135"`
             -> `catalogue = "5-1/2 in 21.90 lb/ft S-135"\nmass_per_length = "21.9 lb/ft"`
+        warn_nominal_weight_rounded: `catalogue = "5-1/2 in 21.90 lb/ft S-135"`
+            -> `catalogue = "5-1/2 in 21.90 lb/ft S-135"\nmass_per_length = "21.8 lb/ft"`
         warn_nominal_weight_of_diameters: `catalogue = "5-1/2 in 21.90 lb/ft S-135"`
             -> `od = "5-1/2 in"\nid = "4.778 in"\nmass_per_length = "21.9 lb/ft"`
         warn_bit_of_its_shank: `od = "215.9 mm"` -> `od = "6.25 in"`

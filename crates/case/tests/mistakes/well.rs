@@ -33,11 +33,25 @@ fn casing_programme() {
     warned("warn_bit_over_drift", read(&wide_bit));
     let own_drift = wide_bit.replace("od = \"8-3/4 in\"", "od = \"8-1/2 in\"");
     assert!(read(&own_drift).expect("a valid case").warnings.is_empty());
-    // A bit of exactly the drift passes.
-    let at_drift =
-        wide_bit.replace("9-5/8 in 40 lb/ft", "7-5/8 in 39 lb/ft").replace("8-3/4 in", "6-1/2 in");
-    let warnings = read(&at_drift).map(|case| case.warnings.render(false));
-    assert!(!warnings.is_ok_and(|text| text.contains("`bit` is wider than the drift")));
+    // A bit of exactly the drift passes, and one of exactly the bore does not: of a drift in the
+    // case, and of that of the catalogue, 8.835 in less 5/32 in.
+    let is_warned = |drift: &str, od: &str| {
+        let casing = format!("40 lb/ft\"{drift}");
+        let text = wide_bit.replace("40 lb/ft\"", &casing);
+        let text = text.replace("8-3/4 in", od);
+        let case = read(&text).unwrap_or_else(|report| panic!("{}", report.render(false)));
+        case.warnings.render(false).contains("`bit` is wider than the drift")
+    };
+    for (drift, od, warned) in [
+        ("\ndrift = \"8.525 in\"", "8.525 in", false),
+        ("\ndrift = \"8.525 in\"", "8.5252 in", false),
+        ("\ndrift = \"8.525 in\"", "8.526 in", true),
+        ("", "8.679 in", false),
+        ("", "8.68 in", true),
+        ("", "8.835 in", true),
+    ] {
+        assert_eq!(is_warned(drift, od), warned, "{drift} {od}");
+    }
     let special = wide_bit.replace("40 lb/ft\"", "40 lb/ft\"\ndrift = \"8.75 in\"");
     assert!(read(&special).expect("a valid case").warnings.is_empty());
     let wider = special.replace("drift = \"8.75 in\"", "drift = \"9 in\"");
@@ -172,6 +186,8 @@ fn stations() {
             stations("[[0, 0, 0], [900, 10, 0], [600, 20, 0], [4305, 20, 0]]"),
         ),
         ("station_with_two_numbers", stations("[[0, 0, 0], [900, 10], [4305, 20, 0]]")),
+        ("station_with_one_number", stations("[[0, 0, 0], [900], [4305, 20, 0]]")),
+        ("station_without_azimuth", stations("[[0, 0, 0], [900, 10, nan], [4305, 20, 0]]")),
         ("station_alone", stations("[[4305, 0, 0]]")),
         ("station_inclination", stations("[[0, 0, 0], [900, 190, 0], [4305, 20, 0]]")),
         ("station_bend", stations("[[0, 0, 0], [900, 0, 0], [900.5, 30, 0], [4305, 30, 0]]")),
@@ -184,4 +200,30 @@ fn one_section_in_single_brackets() {
     let (_, after) = after.split_once("[[well.hole]]").expect("a second section");
     let one = format!("{before}[well.hole]{after}");
     refused("one_hole_in_single_brackets", read(&one));
+}
+
+/// A vertical station needs no azimuth: left out, or `nan`.
+#[test]
+fn vertical_stations_need_no_azimuth() {
+    let stations = |rows: &str| {
+        changed(
+            "survey = \"np13-x1042-survey.csv\"      # md, inc, azi; unit row or units in the header; CSV or Excel",
+            &format!("stations = {rows}"),
+        )
+    };
+    let azimuths = |case: &wholestring_case::Case| case.settings["well"]["stations"].clone();
+    let full = read(&stations("[[0, 0, 0], [900, 0, 0], [4305, 20, 30]]")).expect("a valid case");
+    for rows in
+        ["[[0, 0], [900, 0], [4305, 20, 30]]", "[[0, 0, nan], [900, 0, nan], [4305, 20, 30]]"]
+    {
+        let case =
+            read(&stations(rows)).unwrap_or_else(|report| panic!("{}", report.render(false)));
+        assert_eq!(azimuths(&case), azimuths(&full), "{rows}");
+        let note = "the azimuth of 2 stations, vertical and without one, is taken as 0";
+        assert!(
+            case.survey_notes.iter().any(|found| found.contains(note)),
+            "{:?}",
+            case.survey_notes
+        );
+    }
 }

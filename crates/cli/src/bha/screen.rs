@@ -163,7 +163,7 @@ fn largest(state: &BhaState, units: UnitSet) -> String {
         "Largest bending moment {} at {} from the bit, von Mises stress {} at {}\n",
         quantity(moment.value, Dimension::Torque, units),
         at(moment.from_bit_m),
-        quantity(stress.value, Dimension::Pressure, units),
+        quantity(stress.value, Dimension::Stress, units),
         at(stress.from_bit_m)
     )
 }

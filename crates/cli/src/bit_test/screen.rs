@@ -22,7 +22,7 @@ const COLUMNS: [Column; 7] = [
     ("depth of cut", Dimension::Diameter, |outcome| Some((outcome.depth_of_cut_m, None))),
     ("torque", Dimension::Torque, |outcome| Some((outcome.torque_N_m, outcome.torque_error_N_m))),
     ("its deviation", Dimension::Torque, |outcome| Some((outcome.torque_std_N_m, None))),
-    ("specific energy", Dimension::Pressure, |outcome| Some((outcome.specific_energy_Pa?, None))),
+    ("specific energy", Dimension::Stress, |outcome| Some((outcome.specific_energy_Pa?, None))),
 ];
 
 /// The finished points as a table, properties common to all points, and warnings.
@@ -31,7 +31,7 @@ pub(crate) fn text(summary: &BitTestSummary, units: UnitSet) -> String {
         "{}: a bit of {} on rock of {}",
         summary.case,
         Dimension::Diameter.format(2.0 * summary.bit_radius_m, units),
-        Dimension::Pressure.format(summary.rock_strength_Pa, units)
+        Dimension::Stress.format(summary.rock_strength_Pa, units)
     );
     let headings = COLUMNS.map(|(label, dimension, _)| {
         let symbol = dimension.unit_in(units).symbol;

@@ -25,7 +25,7 @@ pub(super) fn of_string(kind: TubularKind, entries: &[CatalogueEntry], units: Un
         [
             Dimension::Diameter,
             Dimension::MassPerLength,
-            Dimension::Pressure,
+            Dimension::Stress,
             Dimension::Force,
             Dimension::Torque,
         ],
@@ -72,7 +72,7 @@ pub(super) fn of_string(kind: TubularKind, entries: &[CatalogueEntry], units: Un
 
 pub(super) fn casing(casings: &[Casing], units: UnitSet) -> String {
     let [across, mass, strength] =
-        units_of([Dimension::Diameter, Dimension::MassPerLength, Dimension::Pressure], units);
+        units_of([Dimension::Diameter, Dimension::MassPerLength, Dimension::Stress], units);
     let mut headings = vec![
         "name".to_owned(),
         heading("OD", across),

@@ -160,3 +160,26 @@ fn mistakes() {
     let output = desk.run(&["plot", "a", "a"]);
     assert!(transcript(&output).contains("cannot be overlaid"), "{}", transcript(&output));
 }
+
+/// Limits without a capacity in the case are listed on the terminal as not checked.
+#[test]
+fn what_was_not_checked_is_listed() {
+    let desk = Desk::new();
+    let output = desk.done(&["bha", "slant.toml", "-o", "out"]);
+    let screen = transcript(&output);
+    let summary = summary(&desk, "out");
+    let phrases = wholestring_results::Unchecked::phrases(&summary.unchecked);
+    assert!(!phrases.is_empty(), "pipe without a yield strength: {summary:?}");
+    for phrase in phrases {
+        assert!(screen.contains(&format!("not checked: {phrase}\n")), "{phrase}: {screen}");
+    }
+    let output = desk.done(&[
+        "bha",
+        "slant.toml",
+        "-o",
+        "given",
+        "--set",
+        "string.0.yield_strength=900 MPa",
+    ]);
+    assert!(!transcript(&output).contains("not checked: von Mises"), "{}", transcript(&output));
+}

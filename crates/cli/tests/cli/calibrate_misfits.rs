@@ -98,3 +98,29 @@ fn one_list_of_outliers() {
         assert!(!screen.contains("found by Huber"), "{screen}");
     }
 }
+
+/// A block that the pick-up weights alone contain: neither the case's block nor the fitted one is
+/// wrong, and the weights are named with the difference.
+#[test]
+fn a_block_in_pick_up_weights_alone() {
+    let text = |down: f64, turning: f64| {
+        file(move |_, [md, a, b, c, torque]| [md, a, b - down, c - turning, torque])
+    };
+    let alone = "the pick-up weights alone appear to contain the block: they are 2";
+    for more in [&BLOCK[..], &[]] {
+        let (summary, ..) = made(&text(250.0, 250.0), more);
+        let own = check(&summary, "block_not_in_readings");
+        assert!(own.check.sentence.starts_with(alone), "{more:?}: {own:?}");
+        assert!((own.check.value.unwrap() - 250e3).abs() < 15e3, "{more:?}: {own:?}");
+        let (summary, ..) = made(&text(250.0, 0.0), more);
+        let own = check(&summary, "block_not_in_readings");
+        assert!(
+            own.check.sentence.starts_with(
+                "the pick-up weights and the rotating weights alone appear to contain the block"
+            ),
+            "{more:?}: {own:?}"
+        );
+    }
+    let (summary, ..) = made(&text(0.0, 0.0), &BLOCK);
+    assert!(summary.checks.iter().all(|own| own.check.kind != CheckKind::BlockNotInReadings));
+}

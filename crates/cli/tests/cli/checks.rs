@@ -135,6 +135,36 @@ fn a_sweep_counts_what_was_found() {
     assert_eq!(strict.status.code(), Some(4), "what was solved before counts too");
 }
 
+/// Cases that fail and cases with errors are both listed, with the status of the failure.
+#[test]
+fn a_sweep_lists_failures_and_errors() {
+    let desk = Desk::new();
+    let sweep = args(
+        "sweep slant.toml --vary 'operation.wob=20 kN,2 MN' --set friction=0.6 -o results --quiet \
+         --set 'model=[\"soft\", \"stiff\"]' --set 'operation.kind=[\"trip_in\", \"slide\"]'",
+    );
+    for (more, both) in [(&["--strict"][..], true), (&[], false)] {
+        let overwrite = ["--overwrite"];
+        let output = desk.run(&[&sweep[..], &overwrite, more].concat());
+        assert_eq!(output.status.code(), Some(3));
+        let stderr = String::from_utf8(output.stderr).unwrap();
+        let wrong = stderr.find("error: errors were found in ");
+        let failed =
+            stderr.find("error: 1 of 2 cases failed\n").unwrap_or_else(|| panic!("{stderr}"));
+        assert_eq!(wrong.is_some(), both, "{stderr}");
+        assert!(wrong.is_none_or(|wrong| wrong < failed), "{stderr}");
+        if both {
+            let listed = &stderr[..failed];
+            assert!(
+                listed.contains("  operation.wob=20 kN: trip in (soft), trip in (stiff)"),
+                "{stderr}"
+            );
+        }
+        assert!(stderr[failed..].contains("  operation.wob=2 MN: slide: "), "{stderr}");
+        assert!(!stderr[failed..].contains("  operation.wob=20 kN: "), "{stderr}");
+    }
+}
+
 #[test]
 fn a_study_shows_the_numbers_of_checks() {
     let desk = Desk::new();

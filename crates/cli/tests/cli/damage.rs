@@ -28,6 +28,61 @@ fn a_damaged_table_is_named() {
     }
 }
 
+/// Every command that reads a folder reports the same fault of a file in the same sentence, with
+/// the same status, and in no words of a library.
+#[test]
+fn a_fault_of_a_folder_has_one_message() {
+    let desk = Desk::new();
+    desk.done(&args("run slant.toml --quiet -o ran --set model=soft"));
+    desk.done(&args("bha slant.toml --quiet -o assembly"));
+    desk.done(&args("sweep slant.toml --quiet --vary friction=0.1,0.2 -o swept --set model=soft"));
+    let part = |text: &str| text.replacen("\"checks\": [", "\"checks\": 3, \"was\": [", 1);
+    let changed = |file: &str, change: &dyn Fn(&str) -> String, commands: &[&str]| {
+        let valid = fs::read(desk.path(file)).unwrap();
+        let text = String::from_utf8_lossy(&valid).into_owned();
+        let damaged = change(&text);
+        assert_ne!(damaged, text, "{file}");
+        fs::write(desk.path(file), damaged).unwrap();
+        let folder = file.split('/').next().unwrap();
+        let messages: Vec<String> = commands
+            .iter()
+            .map(|command| {
+                let (verb, more) = command.split_once(' ').unwrap_or((*command, ""));
+                let output = desk.run(&[&[verb, folder], &args(more)[..]].concat());
+                refused(&output, file);
+                let message = String::from_utf8(output.stderr).unwrap();
+                for word in ["untagged", "enum", "struct ", "Parquet error", "External", "CSV err"]
+                {
+                    assert!(!message.contains(word), "{command}: {message}");
+                }
+                message
+            })
+            .collect();
+        assert!(messages.iter().all(|message| *message == messages[0]), "{messages:#?}");
+        fs::write(desk.path(file), valid).unwrap();
+        messages[0].clone()
+    };
+    let all = ["report", "plot", "export --to xlsx", "export --to csv"];
+    let half = |text: &str| text[..text.len() / 2].to_owned();
+    for file in ["ran/summary.json", "assembly/summary.json"] {
+        let message = changed(file, &half, &all);
+        assert!(message.contains("before it is complete, expected the whole summary"), "{message}");
+        let message = changed(file, &part, &all);
+        assert!(
+            message.contains(&format!("error: {file} is not a file of results: ")),
+            "{message}"
+        );
+    }
+    let message = changed("ran/summary.json", &half, &["export --to witsml"]);
+    assert!(message.contains("before it is complete"), "{message}");
+    for file in ["ran/nodes.parquet", "assembly/bha.parquet"] {
+        changed(file, &|_| "not a table, but long enough for one".to_owned(), &all);
+    }
+    let cut = |text: &str| text.trim_end().rsplit_once(',').unwrap().0.to_owned() + "\n";
+    let message = changed("swept/sweep.csv", &cut, &all);
+    assert!(message.contains("values, expected"), "{message}");
+}
+
 /// A table of another command, or without one of its text columns, is reported with the column; one
 /// without its numbers is drawn without them. Absurdly large numbers do not delay drawing.
 #[test]

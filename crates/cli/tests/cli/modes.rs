@@ -172,3 +172,31 @@ fn an_operation_that_the_case_lacks() {
     assert_eq!(output.status.code(), Some(2));
     assert!(transcript(&output).contains("the diagram of [modes] has no speeds"));
 }
+
+/// Where the string has no answer, the sentence is that of the other commands, in the units of the
+/// case.
+#[test]
+fn no_answer_is_said_as_elsewhere() {
+    let desk = Desk::new();
+    for (units, symbol) in [("si", " m: "), ("field", " ft: ")] {
+        let locked = [
+            "--set",
+            "operation.kind=slide",
+            "--set",
+            "operation.wob=2 MN",
+            "--set",
+            &format!("units={units}"),
+        ];
+        let own = desk.run(&few(&[&["-o", units], &locked[..]].concat()));
+        assert_eq!(own.status.code(), Some(3), "{}", transcript(&own));
+        let own = String::from_utf8(own.stderr).unwrap();
+        let (_, own) = own.split_once("error: slide: the string has no answer: ").expect(&own);
+        assert!(own.starts_with("Locks up at") && own.contains(symbol), "{own}");
+        let folder = format!("{units}-run");
+        let run = ["run", "slant.toml", "-o", &folder, "--set", "model=stiff"];
+        let run = desk.run(&[&run[..], &locked].concat());
+        let run = String::from_utf8(run.stderr).unwrap();
+        let (_, run) = run.split_once("has no answer: ").expect(&run);
+        assert_eq!(own.lines().next(), run.lines().next());
+    }
+}

@@ -192,6 +192,36 @@ fn the_governing_limit_of_each_operation_is_given() {
     assert!(sentence.contains(&place), "{sentence}");
 }
 
+/// Above the depth from which the campaign drills nothing is drilled: the plan gives no verdict of
+/// drilling there, although the points are solved.
+#[test]
+fn no_verdicts_of_depths_that_are_not_drilled() {
+    let desk = desk_with("");
+    let shallowest_m = |folder: &str, from: &str| -> f64 {
+        let from = format!("plan.campaign.drilled_from={from}");
+        let more = [
+            "--set",
+            // A weight under which the shortest string is a helix.
+            "operation.wob=160 kN",
+            "--set",
+            "plan.bit_depths=[\"400 m\", \"600 m\", \"800 m\", \"1200 m\"]",
+        ];
+        desk.done(&few_of_well(&[&["-o", folder, "--set", &from][..], &more].concat()));
+        let summary = PlanSummary::read(&desk.path(folder).join("summary.json")).unwrap();
+        let mut points = summary.points.iter();
+        let is_shallow = |point: &wholestring_results::PlanPoint| point.bit_depth_m < 500.0;
+        assert!(points.any(|point| point.operation == OperationKind::Drill && is_shallow(point)));
+        let drills = PlanOperation::Kind(OperationKind::Drill);
+        let checks = summary.checks.iter().chain(&summary.governing);
+        let own = checks.filter(|row| row.operation == drills);
+        own.map(|row| row.bit_depth_m).fold(f64::INFINITY, f64::min)
+    };
+    let drilled_m = shallowest_m("deep", "700 m");
+    assert!(drilled_m > 699.0 && drilled_m < 1300.0, "{drilled_m}");
+    let drilled_m = shallowest_m("all", "100 m");
+    assert!(drilled_m < 500.0, "{drilled_m}");
+}
+
 /// One thread and four give the same results.
 #[test]
 fn a_plan_does_not_depend_on_threads() {

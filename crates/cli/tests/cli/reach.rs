@@ -42,6 +42,12 @@ fn reach_of_a_slant_well() {
             "{stdout}"
         );
         assert!(stdout.contains(&format!("{:.0}", first.depth_m)), "{stdout}");
+        // The verdict of the operation in the headline names its limit.
+        let verdict = summary.checks.iter().find(|check| {
+            check.friction == friction.friction && check.operation == first.operation
+        });
+        let verdict = &verdict.expect("a verdict").check.sentence;
+        assert!(verdict.ends_with(first.limit.title()), "{verdict}: {:?}", first.limit);
         let stops = friction.limits.iter().filter(|limit| limit.stops);
         let least = stops.filter_map(|limit| limit.depth_m).fold(f64::INFINITY, f64::min);
         assert_eq!(first.depth_m, least);

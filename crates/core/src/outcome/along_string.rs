@@ -103,12 +103,12 @@ columns! {
         body_contact_fraction: Vec<f64> => Ratio,
             "Share of the time in which the body touches the wall half-way to the next node down; \
              for a soft string, half-way between tool joints";
-        bending_stress_Pa: Vec<f64> => Pressure,
+        bending_stress_Pa: Vec<f64> => Stress,
             "Alternating bending stress at the surface of the rotating body, `M D/2I`, from the \
              larger of the moments at the node and half-way to the next";
-        von_mises_stress_Pa: Vec<f64> => Pressure,
+        von_mises_stress_Pa: Vec<f64> => Stress,
             "Von Mises stress at the most stressed point of the body's surface";
-        von_mises_stress_max_Pa: Vec<f64> => Pressure,
+        von_mises_stress_max_Pa: Vec<f64> => Stress,
             "Largest von Mises stress of any sample", label "Largest von Mises stress", known_by IN_TIME;
         yield_use: Vec<Option<f64>> => Ratio,
             "Largest von Mises stress, for a soft string `von_mises_stress_Pa`, over the minimum \

@@ -50,8 +50,10 @@ kinds! {
     WorkPerLength => "J/m", "work per length";
     /// A power per length, W/m.
     PowerPerLength => "W/m", "power per length";
-    /// A pressure, a stress or a work per volume, Pa.
+    /// A pressure of a fluid, Pa.
     Pressure => "Pa", "pressure";
+    /// A stress in a solid or a work per volume, Pa.
+    Stress => "Pa", "stress";
     /// A density, kg/m³.
     Density => "kg/m³", "density";
     /// An angle, rad.

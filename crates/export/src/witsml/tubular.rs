@@ -132,7 +132,7 @@ fn measures(
     let mass = look.uom(Dimension::MassPerLength);
     xml.quantity(&called("wtPerLen"), mass, component.mass_per_length_kg_per_m)?;
     if let Some(strength_Pa) = component.yield_strength_Pa {
-        xml.quantity(&called("tensYield"), look.uom(Dimension::Pressure), strength_Pa)?;
+        xml.quantity(&called("tensYield"), look.uom(Dimension::Stress), strength_Pa)?;
     }
     // The diameter of the tool joints, which readers expect here.
     if let Some(joint_m) = component.joint_od_m {

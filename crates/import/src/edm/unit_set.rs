@@ -55,7 +55,7 @@ const MEASURES: [Declared; 10] = [
     declared("force", Dimension::Force, ["klbf", "kN"], -2e7..=2e7),
     declared("torque", Dimension::Torque, ["ft-lbf", "kN.m"], 0.0..=1e6),
     declared("chart_torque", Dimension::Torque, ["kft-lbf", "kN.m"], -1e6..=1e6),
-    declared("stress", Dimension::Pressure, ["psi", "kPa"], 5e7..=3e9),
+    declared("stress", Dimension::Stress, ["psi", "kPa"], 5e7..=3e9),
     declared("viscosity", Dimension::Viscosity, ["cP", "mPa.s"], 0.0..=1e1),
     declared("shear_stress", Dimension::ShearStress, ["lbf/100ft2", "Pa"], 0.0..=1e3),
 ];

@@ -362,7 +362,21 @@ fn may_be_of_time(written: &str) -> bool {
 /// A pattern of dates and times: `hh:mm:ss`, `YYYY-MM-DD`, `ISO8601`, `datetime`.
 pub(crate) fn is_pattern(written: &str) -> bool {
     let lower = written.to_ascii_lowercase();
-    ["hh", "yy", "iso", "date", "utc", "timestamp", "dd-", "dd/", "excel", "time"]
-        .iter()
-        .any(|part| lower.contains(part))
+    [
+        "hh",
+        "yy",
+        "iso",
+        "date",
+        "utc",
+        "timestamp",
+        "dd-",
+        "dd/",
+        "excel",
+        "time",
+        "epoch",
+        "unix",
+        "1970",
+    ]
+    .iter()
+    .any(|part| lower.contains(part))
 }

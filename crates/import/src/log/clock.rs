@@ -81,6 +81,19 @@ impl Clock {
                 assume(format!("{name} is taken to be days as Excel counts them"));
                 Form::Excel
             }
+            // In seconds they would be of the year 17 000: a clock that counts from 1970, under the
+            // unit of another.
+            Some(value)
+                if since_1970(value).is_some_and(|(_, seconds)| seconds < 1.0)
+                    && given_unit.or(of_file).is_some_and(|unit| unit.factor == 1.0) =>
+            {
+                let (name_of_unit, seconds) = since_1970(value).unwrap_or(("seconds", 1.0));
+                assume(format!(
+                    "{name} is taken to be {name_of_unit} since 1970: its values are too large for \
+                     its unit, s"
+                ));
+                Form::Number { seconds }
+            }
             Some(_) if given_unit.is_some() => {
                 Form::Number { seconds: given_unit.map_or(1.0, |unit| unit.factor) }
             }
@@ -100,12 +113,9 @@ impl Clock {
                 {
                     assume(format!("{name} is taken to be days as Excel counts them"));
                     Form::Excel
-                } else if (5e8..5e9).contains(&value) {
-                    assume(format!("{name} is taken to be seconds since 1970"));
-                    Form::Number { seconds: 1.0 }
-                } else if (5e11..5e12).contains(&value) {
-                    assume(format!("{name} is taken to be milliseconds since 1970"));
-                    Form::Number { seconds: 1e-3 }
+                } else if let Some((unit, seconds)) = since_1970(value) {
+                    assume(format!("{name} is taken to be {unit} since 1970"));
+                    Form::Number { seconds }
                 } else if name.eq_ignore_ascii_case("seconds") {
                     Form::Number { seconds: 1.0 }
                 } else {
@@ -217,7 +227,7 @@ impl Clock {
                 Some(format!("{}{}", first.text(), self.zone))
             }
             // Seconds since 1970.
-            (Form::Number { .. }, _) if (5e8..5e9).contains(&first.second) => {
+            (Form::Number { .. }, _) if SINCE_1970_S.contains(&first.second) => {
                 Some(format!("{} UTC", first.text()))
             }
             _ => None,
@@ -227,6 +237,15 @@ impl Clock {
 
 /// A day, s.
 const DAY_S: f64 = 86_400.0;
+
+/// Unit of a number that counts from 1970, in the years 1985 to 2128, and its seconds.
+fn since_1970(value: f64) -> Option<(&'static str, f64)> {
+    let units = [("seconds", 1.0), ("milliseconds", 1e-3), ("microseconds", 1e-6)];
+    units.into_iter().find(|(_, seconds)| SINCE_1970_S.contains(&(value * seconds)))
+}
+
+/// Seconds since 1970 of the years 1985 to 2128.
+const SINCE_1970_S: std::ops::Range<f64> = 5e8..5e9;
 
 /// Whether a number of days is a date in Excel's count, in the years 1954 to 2119.
 fn is_serial_day(value: f64) -> bool {

@@ -41,7 +41,8 @@ const NAMES: &[(Quantity, Rank, &str)] = &[
         Rank::Plain,
         "time datetime timestamp dateandtime datetimeutc timeutc utc rigtime etim elapsedtime \
          timeelapsed dtim logtime localtime datetimelocal yyyymmddhhmmss hhmmss 0106 timehhmmss \
-         timeofday datatime timeindex timedate rtime indextime seconds",
+         timeofday datatime timeindex timedate rtime indextime seconds unixtime epoch epochtime \
+         unixtimestamp timeunix posixtime",
     ),
     (
         BitDepth,

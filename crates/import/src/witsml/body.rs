@@ -77,7 +77,7 @@ impl Component<'_> {
                 .map_err(|expected| source.out_of_range(mass, "wtPerLen", &expected))?;
         }
         push(&mut block, "mass_per_length", mass.as_ref());
-        self.weight(od.as_ref(), mass.as_ref(), notes);
+        self.weight([od.as_ref(), id.as_ref()], mass.as_ref(), notes);
         self.strength(&mut block, source, notes)?;
         self.bend(&mut block, length.as_ref(), source, notes)?;
         self.sensor(&mut block, length.as_ref(), source, notes)?;

@@ -1,9 +1,6 @@
 //! Properties of pipe: tool joints, weight and grade.
 
-use wholestring::string::{
-    Material,
-    catalogue::{self, TubularKind},
-};
+use wholestring::string::{Material, catalogue};
 use wholestring_units::Dimension;
 
 use super::{
@@ -13,10 +10,13 @@ use super::{
 use crate::{
     error::ImportError,
     fragment::{Block, Note, Origin, Value},
+    grade::yield_psi,
 };
 
-/// Tolerance within which outside diameters are those of one pipe, m, and weights, lb/ft.
-const SAME_OD_M: f64 = 2e-4;
+/// Tolerance within which diameters are those of one pipe, m.
+const SAME_M: f64 = 3e-4;
+
+/// Tolerance within which weights are equal, lb/ft.
 const SAME_LB_PER_FT: f64 = 0.06;
 
 /// Range of yield strengths of string metals, Pa, from soft aluminium to the hardest steel.
@@ -29,21 +29,24 @@ impl Component<'_> {
     /// Whether the weight of drill pipe is the nominal one, which excludes tool joints.
     pub(super) fn weight(
         &self,
-        od: Option<&Measure>,
+        [od, id]: [Option<&Measure>; 2],
         mass: Option<&Measure>,
         notes: &mut Vec<Note>,
     ) {
         let (true, Some(od), Some(mass)) = (self.is_drill_pipe(), od, mass) else { return };
         let Some(pounds) = Dimension::MassPerLength.find_unit("lb/ft") else { return };
-        let nominal = |designation: &str| -> Option<f64> {
-            designation.split_once(" lb/ft")?.0.rsplit_once(' ')?.1.parse().ok()
+        let is_same = |here_m: f64, other: Option<&Measure>| {
+            other.is_none_or(|other| (here_m - other.si()).abs() < SAME_M)
         };
         let entries = catalogue::entries();
-        let mut pipes = entries.iter().filter(|entry| entry.kind == TubularKind::DrillPipe);
-        let found = pipes.find(|entry| {
-            let off = |nominal: f64| (nominal - pounds.from_si(mass.si())).abs();
-            (entry.od_m - od.si()).abs() < SAME_OD_M
-                && nominal(&entry.designation).is_some_and(|nominal| off(nominal) < SAME_LB_PER_FT)
+        let found = entries.iter().find(|entry| {
+            // The weight of one pipe with tool joints is about the nominal one of the next, so that
+            // a rounded weight needs the inside diameter too.
+            let nominal = entry.nominal_mass_kg_per_m().unwrap_or_default();
+            let is_exact = pounds.from_si((mass.si() - nominal).abs()) < SAME_LB_PER_FT;
+            is_same(entry.od_m, Some(od))
+                && (is_exact || id.is_some() && is_same(entry.id_m, id))
+                && entry.is_nominal_mass(mass.si())
         });
         if let Some(entry) = found {
             let with_joints =
@@ -96,7 +99,7 @@ impl Component<'_> {
         Ok(())
     }
 
-    /// Yield strength from a grade of drill pipe in the catalogue, or as the file gives it.
+    /// Yield strength from a known grade, or as the file gives it.
     pub(super) fn strength(
         &self,
         block: &mut Block,
@@ -107,7 +110,7 @@ impl Component<'_> {
         if block.get("yield_strength").is_some() {
             return Ok(());
         }
-        let strength = source.optional(self.node, "tensYield", Dimension::Pressure, notes)?;
+        let strength = source.optional(self.node, "tensYield", Dimension::Stress, notes)?;
         match strength.filter(|strength| strength.number != 0.0) {
             Some(strength) if STRENGTHS_PA.contains(&strength.si()) => {
                 push(block, "yield_strength", Some(&strength));
@@ -123,21 +126,21 @@ impl Component<'_> {
         Ok(())
     }
 
-    /// Yield strength of drill pipe of a grade in the catalogue.
+    /// Yield strength of drill pipe of a known grade.
     fn of_grade(&self, block: &mut Block, notes: &mut Vec<Note>) {
         let grade = self.node.child("grade").filter(|grade| !grade.text.is_empty());
         let grade = grade.filter(|_| self.is_drill_pipe());
-        let (Some(grade), Some(psi)) = (grade, Dimension::Pressure.find_unit("psi")) else {
+        let (Some(grade), Some(psi)) = (grade, Dimension::Stress.find_unit("psi")) else {
             return;
         };
-        match yield_strength_Pa(&grade.text) {
-            Some(yield_Pa) => {
+        match yield_psi(&grade.text) {
+            Some(yield_psi) => {
                 let from = format!("line {}, grade: '{}'", grade.line, short(&grade.text));
-                let value = Value::quantity(psi.from_si(yield_Pa).round(), psi);
+                let value = Value::quantity(yield_psi, psi);
                 block.push("yield_strength", value, Origin::Derived { from });
             }
             None => notes.push(Note::LeftOut(format!(
-                "the grade '{}' of {}: no grade of the catalogue's drill pipe",
+                "the grade '{}' of {}: no grade of drill pipe or casing that is known",
                 short(&grade.text),
                 self.label()
             ))),
@@ -150,19 +153,4 @@ fn larger(a: Option<Measure>, b: Option<Measure>) -> Option<Measure> {
         (Some(a), Some(b)) => Some(if b.si() > a.si() { b } else { a }),
         (a, b) => a.or(b),
     }
-}
-
-/// The minimum yield strength of a grade of drill pipe: `S-135`, `G105`.
-fn yield_strength_Pa(grade: &str) -> Option<f64> {
-    let bare = |text: &str| -> String {
-        text.chars().filter(char::is_ascii_alphanumeric).collect::<String>().to_uppercase()
-    };
-    let name = bare(grade);
-    let entries = catalogue::entries();
-    let pipes = entries.iter().filter(|entry| entry.kind == TubularKind::DrillPipe);
-    let mut grades = pipes.filter_map(|entry| {
-        let (_, grade) = entry.designation.rsplit_once(' ')?;
-        Some((bare(grade), entry.yield_strength_Pa))
-    });
-    grades.find(|(grade, _)| *grade == name).map(|(_, yield_Pa)| yield_Pa)
 }

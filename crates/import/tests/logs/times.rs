@@ -53,6 +53,26 @@ fn what_numbers_count_is_said() {
         let (_, log) = read(&text);
         assert!(notes(&log).contains(note), "{}", notes(&log));
     }
+    // Counts of a computer's clock, whatever unit the heading has.
+    for (heading, times) in [
+        ("Timestamp", ["1616587200000", "1616587205000", "1616587210000"]),
+        ("Time (s)", ["1616587200000", "1616587205000", "1616587210000"]),
+        ("Time (ms)", ["1616587200000", "1616587205000", "1616587210000"]),
+        ("Time (unix ms)", ["1616587200000", "1616587205000", "1616587210000"]),
+        ("Time (s)", ["1616587200000000", "1616587205000000", "1616587210000000"]),
+        ("Time (s)", ["1616587200", "1616587205", "1616587210"]),
+        ("Time (epoch)", ["1616587200", "1616587205", "1616587210"]),
+    ] {
+        let (rows, log) = read(&csv(heading, &times));
+        let times_s: Vec<f64> = rows.iter().map(|row| row.time_s).collect();
+        assert_eq!(times_s, [0.0, 5.0, 10.0], "{heading} {times:?}");
+        assert_eq!(log.start.as_deref(), Some("2021-03-24 12:00:00 UTC"), "{heading} {times:?}");
+    }
+    let las = "~V\nVERS. 2.0:\n~C\nTIME.S :\nHKLD.kN :\n~A\n1616587200000 5\n1616587205000 6\n";
+    let (rows, log) = read(las);
+    assert_eq!(rows[1].time_s, 5.0);
+    assert!(notes(&log).contains("TIME is taken to be milliseconds since 1970"), "{}", notes(&log));
+
     let text = csv("Timestamp", &["44279.5", "44279.6", "44279.7"]);
     let (rows, log) = read(&text);
     assert!((rows[1].time_s - 8640.0).abs() < 1e-3);

@@ -119,8 +119,20 @@ fn parts_of_a_component_become_its_keys_where_they_can() {
     assert_eq!(values(&text, "make_up_torque"), ["\"30000 ft-lbf\""]);
     let slick = text_for("drill pipe", "<grade>Q-1</grade>");
     assert!(
-        slick.contains("its body touches the wall") && slick.contains("no grade of the catalogue")
+        slick.contains("its body touches the wall") && slick.contains("no grade of drill pipe or")
     );
+    // The grades that tallies may have.
+    for (grade, yields) in [
+        ("S", "135000"),
+        ("Grade S135", "135000"),
+        ("G", "105000"),
+        ("N80 Type 1", "80000"),
+        ("L80-13Cr", "80000"),
+        ("13Cr-95", "95000"),
+    ] {
+        let text = text_for("drill pipe", &format!("<grade>{grade}</grade>"));
+        assert_eq!(values(&text, "yield_strength"), [format!("\"{yields} psi\"")], "{grade}");
+    }
 
     // Nominal weights exclude the tool joints.
     let nominal = text_for("drill pipe", "<wtPerLen uom='lbm/ft'>19.5</wtPerLen>");

@@ -62,7 +62,25 @@ def _columns(data: object) -> dict[str, list[Any]]:
             raise InputTypeError(message)
         data = {str(name): frame[name] for name in names}
     table = cast("Mapping[str, Any]", data)
-    return {str(name): list(np.asarray(values).tolist()) for name, values in table.items()}
+    return {str(name): _column(str(name), values) for name, values in table.items()}
+
+
+def _column(name: str, values: object) -> list[Any]:
+    """Return the values of a column.
+
+    >>> _column("a", 1)
+    Traceback (most recent call last):
+    wholestring.errors.InputTypeError: the column 'a' was given 1: expected a value for each row
+    """
+    wrong = f"the column {name!r} was given {values!r}: expected a value for each row"
+    try:
+        array = np.asarray(values)
+    except ValueError:
+        # Rows of different lengths.
+        raise InputTypeError(wrong) from None
+    if array.ndim != 1:
+        raise InputTypeError(wrong)
+    return list(array.tolist())
 
 
 def _cell(value: object) -> object:

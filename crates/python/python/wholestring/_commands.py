@@ -113,8 +113,6 @@ def quantities(name: str, values: object, dimension: str) -> str | None:
     found = _values.options(name, values, dimension)
     if found is None:
         return None
-    if not found:
-        raise InputError(f"`{name}` was given no values")
     return ",".join(f"{value!r} {_core.si_unit(dimension)}" for value in found)
 
 

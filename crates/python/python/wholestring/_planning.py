@@ -15,7 +15,7 @@ from ._folder import Place
 from ._listener import Listener
 from ._values import Scalar
 from .calibration import Calibration
-from .errors import Interrupted
+from .errors import InputTypeError, Interrupted
 from .planning import Plan, Reach
 from .table import Table
 
@@ -82,10 +82,10 @@ class Planning(Checked):
         (20, ('model', 'friction', 'operation', 'bit_depth_m'))
         """
         options: _core.BroomstickOptions = {
-            "models": words(model),
+            "models": _values.words("model", model),
             "frictions": _values.factors("frictions", frictions),
             "bit_depths_m": _values.options("bit_depths", bit_depths, "length") or [],
-            "operations": words(operations),
+            "operations": _values.words("operations", operations),
             "jobs": count(jobs),
         }
         with Listener(progress=False) as listener:
@@ -237,7 +237,7 @@ class Planning(Checked):
             "from": quantity("from_", from_, "length"),
             "to": quantity("to", to, "length"),
             "frictions": _values.factors("friction", friction),
-            "operations": words(operation),
+            "operations": _values.words("operation", operation),
             "no_helix_friction": no_helix_friction,
             "stop_at_helix": stop_at_helix,
             "png": png,
@@ -350,6 +350,9 @@ class Planning(Checked):
         0.25
         """
         place = Place(folder, overwrite=overwrite)
+        for other in _sequence("others", others):
+            if not isinstance(other, Checked):
+                raise InputTypeError(f"`others` was given {other!r}: expected a sequence of cases")
         is_path = isinstance(data, str | os.PathLike)
         path = cast("str | PathLike[str]", data)
         check = check_dynamics is not False
@@ -364,7 +367,10 @@ class Planning(Checked):
             "friction_around": friction_around,
             "block_weight": block_weight,
             "bit_torque": bit_torque,
-            "hold": [f"{name}={_held(name, value)}" for name, value in (hold or {}).items()],
+            "hold": [
+                f"{name}={_held(name, value)}"
+                for name, value in _values.mapping("hold", hold).items()
+            ],
             "weight_error": _values.written("weight_error", weight_error, "force"),
             "rotating_error": _values.written("rotating_error", rotating_error, "force"),
             "torque_error": _values.written("torque_error", torque_error, "torque"),
@@ -392,9 +398,10 @@ class Planning(Checked):
         return found
 
 
-def words(names: str | Sequence[str] | None) -> list[str]:
-    """Return a list of words from one word or several."""
-    return [names] if isinstance(names, str) else [str(word) for word in _values.plain(names) or ()]
+def _sequence(name: str, value: object) -> Sequence[object]:
+    if isinstance(value, Sequence):
+        return cast("Sequence[object]", value)
+    raise InputTypeError(f"`{name}` was given {value!r}: expected a sequence of cases")
 
 
 def _held(name: str, value: Scalar) -> str:

@@ -12,7 +12,6 @@ from ._columns import rows
 from ._commands import Job, carry_out, count, finished
 from ._folder import Place
 from ._listener import Listener
-from ._planning import words
 from ._values import Scalar
 from .laws import BitLaw, Excitation
 from .laws import bit_law as of_bit
@@ -278,7 +277,7 @@ class Solving(Checked):
         held = self._held
         if operation is not None and not isinstance(operation, str):
             key = "operation.kind"
-            held = held.changed([(key, _values.toml(words(operation), key))])
+            held = held.changed([(key, _values.toml(_values.words("operation", operation), key))])
             operation = None
         with Listener(progress) as listener:
             core, raised = held.answer(models, operation, count(jobs), listener)

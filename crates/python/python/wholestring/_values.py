@@ -13,6 +13,7 @@ from typing import (
     Protocol,
     SupportsFloat,
     TypeAlias,
+    TypeVar,
     cast,
     runtime_checkable,
 )
@@ -342,7 +343,46 @@ def options(name: str, value: object, dimension: str) -> list[float] | None:
     value = plain(value)
     several = cast("Iterable[Scalar]", value if isinstance(value, Iterable) else [value])
     found = (option(name, one, dimension) for one in several)
-    return [one for one in found if one is not None]
+    return _some(name, [one for one in found if one is not None])
+
+
+V = TypeVar("V")
+
+
+def _some(name: str, values: list[V]) -> list[V]:
+    """Return values, or refuse that there are none: the default is ``None``."""
+    if not values:
+        raise InputError(f"`{name}` was given no values: leave it out for the default")
+    return values
+
+
+def mapping(name: str, value: object) -> dict[str, Any]:
+    """Return a mapping as a dictionary; an empty one for ``None``.
+
+    >>> mapping("units", None), mapping("units", {"md": "ft"})
+    ({}, {'md': 'ft'})
+    """
+    if value is None:
+        return {}
+    if not isinstance(value, Mapping):
+        raise InputTypeError(f"`{name}` was given {value!r}: expected a mapping of names to values")
+    return dict(cast("Mapping[str, Any]", value))
+
+
+def words(name: str, value: object) -> list[str]:
+    """Return words: one or several; none for ``None``.
+
+    >>> words("operation", "drill"), words("operation", ["drill", "ream"]), words("operation", None)
+    (['drill'], ['drill', 'ream'], [])
+    """
+    if value is None:
+        return []
+    if isinstance(value, str):
+        return [value]
+    value = plain(value)
+    if isinstance(value, bytes | Mapping) or not isinstance(value, Iterable):
+        raise InputTypeError(f"`{name}` was given {value!r}: expected a name or a list of names")
+    return _some(name, [str(word) for word in cast("Iterable[object]", value)])
 
 
 def factors(name: str, value: object) -> list[float]:
@@ -360,7 +400,7 @@ def factors(name: str, value: object) -> list[float]:
         value = _magnitude(cast("Quantity", value), "dimensionless", f"`{name}`")
     value = plain(value)
     several = cast("Iterable[object]", value if isinstance(value, Iterable) else [value])
-    return [_factor(name, one) for one in several]
+    return _some(name, [_factor(name, one) for one in several])
 
 
 def _factor(name: str, value: object) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping, Sequence
 from os import PathLike
 from typing import Any, cast
@@ -60,7 +61,7 @@ class Case(Solving, Planning, Assemblies):
     ) -> None:
         if not isinstance(cast("object", text), str):
             raise InputTypeError(f"`text` was given {text!r}: expected the text of a case file")
-        self._held = _core.Case.parse(text, name, dict(files or {}))
+        self._held = _core.Case.parse(text, name, _values.mapping("files", files))
         warn(self._warnings())
 
     @classmethod
@@ -191,9 +192,9 @@ class Case(Solving, Planning, Assemblies):
         >>> case.soft()["trip_out"].bit_depth_m
         900.0
         """
-        table, all_files = dict(table), dict(files or {})
+        table, all_files = _values.mapping("table", table), _values.mapping("files", files)
         if survey is not None:
-            well = dict(cast("Mapping[str, Value]", table.get("well") or {}))
+            well = _values.mapping("well", table.get("well"))
             if is_table(survey):
                 well["survey"] = _SURVEY
                 all_files[_SURVEY] = content(survey)
@@ -302,7 +303,7 @@ class Case(Solving, Planning, Assemblies):
         >>> [diagnostic.severity for diagnostic in case.check("stiff", "fish")]
         ['error']
         """
-        models = [model] if isinstance(model, str) else None if model is None else list(model)
+        models = None if model is None else _values.words("model", model)
         try:
             found = self._held.check(models, operation)
         except CaseError as error:
@@ -395,7 +396,9 @@ def _stations(survey: object) -> list[list[float]]:
     if rows.shape[1:] != (3,):
         message = "`survey`: expected rows of measured depth, inclination and azimuth, or a table"
         raise InputError(message)
-    return cast("list[list[float]]", rows.tolist())
+    # A vertical station needs no azimuth, which is then NaN or None.
+    stations = cast("list[list[float]]", rows.tolist())
+    return [row[:2] if math.isnan(row[2]) else row for row in stations]
 
 
 def _restored(text: str, name: str, files: dict[str, bytes]) -> Case:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from . import _core
+from ._values import mapping
 from .errors import FolderError, InputError
 
 if TYPE_CHECKING:
@@ -108,7 +109,7 @@ class Imported:
         from .case import Case
 
         case = Case(self.text, name=f"{_NAME}.toml", files=self._beside)
-        return case.with_(changes) if changes else case
+        return case if changes is None else case.with_(changes)
 
     def save(self, path: str | PathLike[str]) -> Path:
         r"""Write the case file and the files that it refers to. No file is overwritten.
@@ -212,7 +213,11 @@ def import_files(
     if not files:
         raise InputError("no file is given: expected a survey, a tally, a log or another file")
     found = _core.import_files(
-        files, _NAME, dict(units or {}), dict(values or {}), dict(picks or {})
+        files,
+        _NAME,
+        mapping("units", units),
+        mapping("values", values),
+        mapping("picks", picks),
     )
     notes = tuple(ImportNote(*note) for note in found.notes)
     return Imported(found.text, dict(found.files), notes, tuple(found.missing), found.beside)

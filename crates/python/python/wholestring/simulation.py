@@ -190,8 +190,6 @@ class Simulation:
             _values.option("flow_rate", flow_rate, "flow rate"),
         )
         sections = _values.factors("friction", friction)
-        if friction is not None and not sections:
-            raise InputError("`friction` is empty: expected one coefficient, or one per section")
         if any(point is not None for point in points):
             self._held.set(ramp_s, *points)
         if sections:

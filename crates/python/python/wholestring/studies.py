@@ -180,7 +180,7 @@ def study(
     job = Job(
         {"kind": "study", "study": "study", "keep": keep, "shard": shard, "csv": csv, "png": png},
         paths={"study": path},
-        changes=_values.changes(changes or {}, {}),
+        changes=_values.changes({} if changes is None else changes, {}),
         jobs=jobs,
         checkpoint=checkpoint,
     )

@@ -283,7 +283,7 @@ def sweep(
     bundle_s = cast("float", _values.option("bundle", bundle, "time"))
     checkpoint_s = _values.option("checkpoint_every", checkpoint_every, "time")
     pool = None if executor is None else Pool(executor)
-    varied = [(key, _written(key, values)) for key, values in vary.items()]
+    varied = [(key, _written(key, values)) for key, values in _values.mapping("vary", vary).items()]
     if not varied:
         raise InputError("vary names no key: expected such as {'friction': [0.2, 0.3]}")
     _values.refuse_conflicts([key for key, _ in varied])

@@ -58,7 +58,7 @@ pub(super) fn figure(bha: &Bha, display: DisplayUnits<'_>) -> Figure {
         shared: Axis::new(display.label("Distance from the bit", "length"), Range::Fixed(0.0, to)),
         panels: vec![
             panel("Bending moment", "torque", &moments),
-            panel("Stress", "pressure", &stresses),
+            panel("Stress", "stress", &stresses),
         ],
         hole: Vec::new(),
     }

@@ -100,8 +100,8 @@ fn sag(state: &BhaState) -> PageTable {
 fn largest(state: &BhaState) -> PageTable {
     let largest = [
         ("Largest bending moment", "torque", state.largest_bending_moment_N_m),
-        ("Largest bending stress", "pressure", state.largest_bending_stress_Pa),
-        ("Largest von Mises stress", "pressure", state.largest_von_mises_stress_Pa),
+        ("Largest bending stress", "stress", state.largest_bending_stress_Pa),
+        ("Largest von Mises stress", "stress", state.largest_von_mises_stress_Pa),
     ];
     let rows = largest.into_iter().flat_map(|(name, dimension, largest)| {
         [
@@ -136,7 +136,7 @@ fn accuracy(state: &BhaState) -> PageTable {
             ],
             vec![
                 words("Largest von Mises stress"),
-                Cell::quantity(errors.largest_von_mises_Pa, "pressure"),
+                Cell::quantity(errors.largest_von_mises_Pa, "stress"),
             ],
             vec![
                 words("Sag correction of the inclination"),

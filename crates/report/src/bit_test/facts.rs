@@ -11,7 +11,7 @@ pub(super) fn facts(summary: &BitTestSummary) -> Vec<Fact> {
     let number = |value: &Json| value.as_f64().unwrap_or(f64::NAN);
     vec![
         Fact::new("Bit diameter", Cell::quantity(2.0 * summary.bit_radius_m, "diameter")),
-        Fact::new("Strength of the rock", Cell::quantity(summary.rock_strength_Pa, "pressure")),
+        Fact::new("Strength of the rock", Cell::quantity(summary.rock_strength_Pa, "stress")),
         Fact::new("Moving mass", Cell::quantity(number(&test["mass_kg"]), "mass")),
         Fact::new(
             "Revolutions",

@@ -263,7 +263,7 @@ impl Drawing<'_> {
         };
         let panels = vec![
             panel("Largest amplitude", "diameter", |row| row.amplitude_m),
-            panel("Largest bending stress", "pressure", |row| row.bending_stress_Pa),
+            panel("Largest bending stress", "stress", |row| row.bending_stress_Pa),
         ];
         let mut figure = self.figure(
             self.speed_axis(Range::Tight),

@@ -65,15 +65,15 @@ pub(super) fn parts(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart>
 
 /// Fatigue of each component.
 pub(super) fn fatigue(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPart> {
-    let [length, pressure, dogleg] =
-        ["length", "pressure", "dogleg severity"].map(|dimension| display.symbol(dimension));
+    let [length, stress, dogleg] =
+        ["length", "stress", "dogleg severity"].map(|dimension| display.symbol(dimension));
     let heads = vec![
         head("component", true),
         head("model", true),
         head("life used", false),
         head("an hour of drilling", false),
         head(format!("at, {length}"), false),
-        head(format!("bending, {pressure}"), false),
+        head(format!("bending, {stress}"), false),
         head(format!("dogleg, {dogleg}"), false),
         head(format!("permissible, {dogleg}"), false),
     ];
@@ -87,7 +87,7 @@ pub(super) fn fatigue(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPar
             Some(hour) => cells.extend([
                 plain(percent(hour.damage_per_hour)),
                 place(display, hour.md_m),
-                quantity(display, Some(hour.bending_Pa), "pressure"),
+                quantity(display, Some(hour.bending_Pa), "stress"),
                 quantity(display, Some(hour.dogleg_rad_per_m), "dogleg severity"),
                 quantity(display, hour.permissible_dogleg_rad_per_m, "dogleg severity"),
             ]),

@@ -35,7 +35,7 @@ pub(crate) fn facts(summary: &Summary) -> Vec<Fact> {
         let bit = &settings["bit"];
         if bit["law"] == "rock" {
             // Rate and torque result from the rock; those of the settings are an initial estimate.
-            facts.push(number("Rock strength", &settings["rock"]["strength_Pa"], "pressure"));
+            facts.push(number("Rock strength", &settings["rock"]["strength_Pa"], "stress"));
         } else {
             let rate = &operation["rop_m_per_s"];
             facts.push(number("Rate of penetration", rate, "rate of penetration"));

@@ -144,7 +144,7 @@ fn stress(nodes: &Table) -> KeyResult {
         }
         None => {
             let stress_Pa = largest(STRESS.name).or_else(|| largest("von_mises_stress_Pa"));
-            let stress = Cell::quantity(stress_Pa.unwrap_or(f64::NAN), "pressure");
+            let stress = Cell::quantity(stress_Pa.unwrap_or(f64::NAN), "stress");
             KeyResult::unlimited(&STRESS.label(), stress, "yield strength", &["von_mises"])
                 .limited(None)
         }

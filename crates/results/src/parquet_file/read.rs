@@ -1,6 +1,6 @@
 //! Reads tables from Parquet files.
 
-use std::{fs::File, ops::Range, path::Path};
+use std::{fs::File, io, ops::Range, path::Path};
 
 use parquet::{
     basic::Type as PhysicalType,
@@ -84,14 +84,56 @@ pub(crate) fn read_groups_with(
     Ok(())
 }
 
+/// Reason for a file that the Parquet library cannot decode. The library's own reasons name its
+/// internals, which help no reader of the message.
+const DAMAGED: &str = "it is damaged, expected a complete Parquet file as it was written";
+
+/// Reason why a file cannot be read.
+pub(crate) enum Defect {
+    /// In a sentence.
+    Sentence(String),
+    /// An error of the Parquet library.
+    Library(ParquetError),
+}
+
+impl From<ParquetError> for Defect {
+    fn from(error: ParquetError) -> Self {
+        Self::Library(error)
+    }
+}
+
+impl Defect {
+    fn of_file(self, path: &Path) -> ResultsError {
+        match self {
+            Self::Sentence(reason) => ResultsError::format(path, reason),
+            Self::Library(ParquetError::External(error)) => match error.downcast::<io::Error>() {
+                // The disk fails, not the file. The library's decompressors have these kinds.
+                Ok(source)
+                    if !matches!(
+                        source.kind(),
+                        io::ErrorKind::UnexpectedEof
+                            | io::ErrorKind::InvalidData
+                            | io::ErrorKind::InvalidInput
+                            | io::ErrorKind::Other
+                    ) =>
+                {
+                    ResultsError::Read { path: path.to_owned(), source: *source }
+                }
+                _ => ResultsError::format(path, DAMAGED),
+            },
+            Self::Library(_) => ResultsError::format(path, DAMAGED),
+        }
+    }
+}
+
 /// Calls the Parquet library, which panics at some contents of damaged files.
-pub(crate) fn guarded<T>(
+pub(crate) fn guarded<T, E: Into<Defect>>(
     path: &Path,
-    once: impl FnOnce() -> Result<T, ParquetError>,
+    once: impl FnOnce() -> Result<T, E>,
 ) -> Result<T, ResultsError> {
     match contain(once) {
-        Ok(done) => done.map_err(|error| ResultsError::format(path, error)),
-        Err(_) => Err(ResultsError::format(path, "it is damaged")),
+        Ok(done) => done.map_err(|error| error.into().of_file(path)),
+        Err(_) => Err(ResultsError::format(path, DAMAGED)),
     }
 }
 
@@ -113,7 +155,9 @@ struct Opened<'a> {
 impl<'a> Opened<'a> {
     fn new(path: &'a Path) -> Result<Self, ResultsError> {
         let file = open(path)?;
-        let reader = guarded(path, || SerializedFileReader::new(file.try_clone()?))?;
+        let reader = guarded(path, || -> Result<_, ParquetError> {
+            SerializedFileReader::new(file.try_clone()?)
+        })?;
         Ok(Self { path, file, reader })
     }
 
@@ -152,7 +196,7 @@ fn read_columns(
     reader: &SerializedFileReader<File>,
     requested: impl Fn(&str) -> bool,
     groups: Range<usize>,
-) -> Result<Table, ParquetError> {
+) -> Result<Table, Defect> {
     let metadata = reader.metadata().file_metadata();
     let notes = metadata.key_value_metadata();
     let note = |name: &str, what: &str| {
@@ -174,7 +218,7 @@ fn read_columns(
             }
             PhysicalType::BYTE_ARRAY if field.max_def_level() == 0 => Data::Text(Vec::new()),
             other => {
-                return Err(ParquetError::General(format!(
+                return Err(Defect::Sentence(format!(
                     "column `{}` is {other}, expected optional numbers or words",
                     field.name()
                 )));
@@ -193,7 +237,7 @@ fn read_columns(
             read_column(reader, rows, &mut column, &mut text_left)?;
             let found = column.data.len() - before;
             if found != rows {
-                return Err(ParquetError::General(format!(
+                return Err(Defect::Sentence(format!(
                     "column `{}` has {found} values for {rows} rows",
                     column.name
                 )));
@@ -209,7 +253,7 @@ fn read_column(
     rows: usize,
     column: &mut Column,
     text_left: &mut usize,
-) -> Result<(), ParquetError> {
+) -> Result<(), Defect> {
     match (reader, &mut column.data) {
         (ColumnReader::DoubleColumnReader(reader), Data::Number(all)) => {
             read_numbers(reader, rows, all)?;
@@ -233,7 +277,7 @@ fn read_column(
                 // A dictionary's word may occur in every row.
                 *text_left = text_left.checked_sub(word.len()).ok_or_else(|| {
                     let most = parquet_guard::MAX_TEXT >> 20;
-                    ParquetError::General(format!("it holds more than {most} MB of text"))
+                    Defect::Sentence(format!("it holds more than {most} MB of text"))
                 })?;
                 all.push(word.as_utf8()?.to_owned());
             }

@@ -97,7 +97,7 @@ fn model_words(model: ModelKind) -> String {
 }
 
 fn plan(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
-    let summary = PlanSummary::read(&folder.join("summary.json")).map_err(Error::bad_input)?;
+    let summary = PlanSummary::read(&folder.join("summary.json"))?;
     let points = summary.points.iter().map(|row| {
         let name =
             format!("{}, {}, {} friction", row.operation, model_words(row.model), row.friction);
@@ -114,7 +114,7 @@ fn plan(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
 }
 
 fn run(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
-    let summary = Summary::read(&folder.join("summary.json")).map_err(Error::bad_input)?;
+    let summary = Summary::read(&folder.join("summary.json"))?;
     let points = summary.operations.iter().map(|operation| {
         let name = format!("{}, {}", operation.operation, model_words(operation.model));
         let point = Point {
@@ -130,7 +130,7 @@ fn run(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
 
 /// The cases of a sweep; cases that differ only in bit depth form one log.
 fn swept(folder: &Path) -> Result<Vec<(String, Point)>, Error> {
-    let (varied, table) = sweep::read(folder).map_err(Error::bad_input)?;
+    let (varied, table) = sweep::read(folder)?;
     let number = |name: &str, row: usize| table.numbers(name).and_then(|number| number[row]);
     let word = |name: &str, row: usize| table.words(name).map_or("", |word| word[row].as_str());
     let unknown = |what: &str, name: &str| {

@@ -3,9 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use serde_json::Value as Json;
+use wholestring_results::read_any_summary;
 
 use super::format::What;
-use crate::{error::Error, results_kinds::kind_of, survey::bytes};
+use crate::{
+    error::Error,
+    results_kinds::{check_summary, kind_of},
+};
 
 /// Source of an export: its name, and the settings with all defaults.
 pub(super) struct Source {
@@ -30,18 +34,11 @@ pub(super) fn of_folder(folder: &Path, what: What) -> Result<Source, Error> {
             kind.noun
         )));
     }
-    let mut summary = summary(&path)?;
+    check_summary(kind.noun, &path)?;
+    let mut summary = read_any_summary(&path)?;
     let settings = summary.get_mut("settings").map(Json::take).unwrap_or_default();
     let name = summary["case"].as_str().unwrap_or("Case").to_owned();
     Ok(Source { name, settings, folder })
-}
-
-/// A `summary.json`.
-pub(super) fn summary(path: &Path) -> Result<Json, Error> {
-    let bytes = bytes(path, "summary")?;
-    serde_json::from_slice(&bytes).map_err(|error| {
-        Error::bad_input(format!("{} is not a file of results: {error}", path.display()))
-    })
 }
 
 /// A case file.

@@ -4,10 +4,10 @@ use std::path::Path;
 
 use wholestring::outcome;
 use wholestring_report::Workbook;
-use wholestring_results::{Column, Data, Summary, TABLES, Table};
+use wholestring_results::{Column, Data, Summary, TABLES, Table, read_any_summary};
 use wholestring_units::UnitSet;
 
-use super::{first_sheets::first_sheets, source};
+use super::first_sheets::first_sheets;
 use crate::{
     error::Error,
     page::{PROGRAM, table},
@@ -30,17 +30,17 @@ pub(super) fn of_folder(
     let mut first = Vec::new();
     let mut sheets = Vec::new();
     match kind.noun {
-        "a plan" => return workbook_of(folder, units).map_err(Error::bad_input),
+        "a plan" => return Ok(workbook_of(folder, units)?),
         "a sweep" => {
-            let (_, table) = sweep::read(folder).map_err(Error::bad_input)?;
+            let (_, table) = sweep::read(folder)?;
             let about = "A row for each case, model and operation";
             sheets.push(sheet("Sweep", &table, about, units));
         }
         noun => {
             let path = folder.join("summary.json");
-            first = first_sheets(&source::summary(&path)?, units);
+            first = first_sheets(&read_any_summary(&path)?, units);
             if noun == "a run" {
-                let summary = Summary::read(&path).map_err(Error::bad_input)?;
+                let summary = Summary::read(&path)?;
                 let about = "A row for each model and operation";
                 first.push(sheet("Operations", &operations(&summary), about, units));
             }
@@ -48,7 +48,7 @@ pub(super) fn of_folder(
     }
     let mut tables = Vec::new();
     for (name, _) in TABLES.iter().filter(|(name, _)| *name != LEFT_OUT) {
-        let table = table(folder, name).map_err(Error::bad_input)?;
+        let table = table(folder, name)?;
         if table.rows() > 0 {
             tables.push((name, table));
         }

@@ -26,10 +26,10 @@ pub(crate) const RUN: ResultsKind = ResultsKind {
 };
 
 fn write_again(folder: &ResultsFolder, units: Option<UnitSet>) -> Result<(), Error> {
-    if let Some(lacking) = lacking(folder.path()).map_err(Error::bad_input)? {
+    if let Some(lacking) = lacking(folder.path())? {
         return Err(Error::BadInput(lacking));
     }
-    let page = page(folder.path(), units).map_err(Error::bad_input)?;
+    let page = page(folder.path(), units)?;
     Ok(folder.write_file(FILE, page.as_bytes())?)
 }
 
@@ -69,14 +69,14 @@ pub(crate) fn overlaid(folders: &[PathBuf], units: Option<UnitSet>) -> Result<Ve
 
 /// A run to draw.
 fn report(folder: &Path, units: Option<UnitSet>) -> Result<Report, Error> {
-    let summary = Summary::read(&folder.join("summary.json")).map_err(Error::bad_input)?;
+    let summary = Summary::read(&folder.join("summary.json"))?;
     if summary.operations.is_empty() {
         let place = folder.display();
         return Err(Error::bad_input(format!("nothing was solved in {place}")));
     }
-    if let Some(lacking) = lacking(folder).map_err(Error::bad_input)? {
+    if let Some(lacking) = lacking(folder)? {
         return Err(Error::bad_input(lacking));
     }
     let tables = OperationTables::of_folder(folder);
-    Report::new(&summary, &tables, units).map_err(Error::bad_input)
+    Ok(Report::new(&summary, &tables, units)?)
 }

@@ -8,7 +8,6 @@ use wholestring_units::UnitSet;
 
 use super::{read::varied, table::FILE};
 use crate::{
-    error::Error,
     page,
     results_kind::{Overlay, ResultsKind},
 };
@@ -21,9 +20,9 @@ pub(crate) const SWEEP: ResultsKind = ResultsKind {
     with_numbers: false,
     files: &[FILE],
     overlay: Overlay::Varied,
-    write_again: |folder, units| write(folder, units).map_err(Error::bad_input),
+    write_again: |folder, units| Ok(write(folder, units)?),
     plots: |folder, units| {
-        let sweep = gather(folder, units).map_err(Error::bad_input)?;
+        let sweep = gather(folder, units)?;
         Ok(sweep_plots(&sweep, &sweep.head.units))
     },
 };

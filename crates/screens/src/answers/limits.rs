@@ -32,7 +32,7 @@ pub struct Limit {
     component: Option<String>,
     /// Measured depth of the place, m; null for the rig.
     md_m: Option<f64>,
-    /// Dimension of load and capacity: `force`, `torque`, `pressure`.
+    /// Dimension of load and capacity: `force`, `torque`, `pressure`, `stress`.
     dimension: &'static str,
     /// The load, SI.
     load: f64,

@@ -167,7 +167,7 @@ impl Column {
             Column::Mass | Column::NominalMass => Dimension::MassPerLength,
             Column::TotalMass => Dimension::Mass,
             Column::YieldStrength | Column::YoungsModulus | Column::ShearModulus => {
-                Dimension::Pressure
+                Dimension::Stress
             }
             _ => Dimension::Length,
         }

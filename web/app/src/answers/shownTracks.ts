@@ -30,7 +30,7 @@ const TRACKS: readonly [ColumnName, string, string, number][] = [
   ["torque_N_m", "Torque", "torque", 500],
   ["side_force_N_per_m", "Side force", "force per length", 100],
   ["bending_moment_N_m", "Bending moment", "torque", 500],
-  ["von_mises_stress_Pa", "Von Mises stress", "pressure", 10e6],
+  ["von_mises_stress_Pa", "Von Mises stress", "stress", 10e6],
 ];
 
 /** Columns that oscillate from joint to joint. */

@@ -776,7 +776,7 @@ export interface Limit {
   capacity: number;
   /** The component; null for the rig. */
   component: string | null;
-  /** Dimension of load and capacity: `force`, `torque`, `pressure`. */
+  /** Dimension of load and capacity: `force`, `torque`, `pressure`, `stress`. */
   dimension: string;
   /** Kind of limit, as in `plan_limits.parquet`: `hoist`, `von_mises`, ... */
   kind: string;

@@ -18,7 +18,7 @@ keys! {
         /// Work of cutting per volume of rock. Raising it lowers the rate of penetration and
         /// stiffens the rock.
         intrinsic_specific_energy: f64 = default(
-            Quantity::si(Dimension::Pressure, Range::from_to(1e5, 1e10).usual(1e6, 2e9), "60 MPa"),
+            Quantity::si(Dimension::Stress, Range::from_to(1e5, 1e10).usual(1e6, 2e9), "60 MPa"),
             SPECIFIC_ENERGY_PA,
         );
         /// Ratio of the axial to the tangential cutting force. Raising it requires more weight for
@@ -35,7 +35,7 @@ keys! {
         /// Strength of the contact between wear flats and rock. Raising it has the same effect as
         /// longer wear flats.
         contact_strength: f64 = default(
-            Quantity::si(Dimension::Pressure, Range::from_to(0.0, 1e10).usual(1e6, 2e9), "60 MPa"),
+            Quantity::si(Dimension::Stress, Range::from_to(0.0, 1e10).usual(1e6, 2e9), "60 MPa"),
             CONTACT_STRENGTH_PA,
         );
         /// Distribution of the wear flats; 1 for evenly over the radius, 4/3 for evenly over the

@@ -45,7 +45,7 @@ columns! {
         torque_N_m: Vec<f64> => Torque, "Torque that the string carries", known_by IN_TIME;
         bending_moment_N_m: Vec<f64> => Torque,
             "Magnitude of the bending moment", known_by IN_TIME;
-        von_mises_stress_Pa: Vec<f64> => Pressure,
+        von_mises_stress_Pa: Vec<f64> => Stress,
             "Von Mises stress at the most stressed point of the body's surface", known_by IN_TIME;
     }
     beside {

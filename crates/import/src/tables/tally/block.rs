@@ -276,7 +276,7 @@ fn strength(part: &Part, block: &mut Block, said: &mut Said) {
     match grade::yield_psi(grade) {
         Some(psi) => block.push(
             "yield_strength",
-            Value::quantity(psi, unit(Dimension::Pressure, "psi")),
+            Value::quantity(psi, unit(Dimension::Stress, "psi")),
             Origin::Derived { from: format!("grade {grade} ({place})") },
         ),
         None => said.grades.push((grade.to_owned(), format!("'{}' ({place})", part.name))),

@@ -6,7 +6,7 @@ use wholestring_tabular::row_names;
 use wholestring_units::Dimension;
 
 use super::{
-    text::{dimension, median, shown, words},
+    text::{dimension, median, plural, shown, words},
     trial::{Block, MOST, Trial, rows, weight_rows},
     units::is_free,
 };
@@ -76,6 +76,66 @@ pub(super) fn of_case(data: &Readings, trial: &Trial) -> Option<ReadingCheck> {
     Some(
         ReadingCheck::new(kind, Severity::Warning, sentence)
             .numbers([Some(free.block_N), Some(held_N)]),
+    )
+}
+
+/// A block in some kinds of weights only: they differ by at least this fraction of the weights, and
+/// those without it have less than this fraction of it.
+const DIFFER: f64 = 0.05;
+const NONE: f64 = 0.25;
+
+/// Detects a block that some kinds of weights contain and others do not, such as pick-up weights of
+/// the indicator next to slack-off weights from which the block was subtracted. Friction and one
+/// block explain both only in part.
+pub(super) fn in_some(data: &Readings, trial: &Trial) -> Option<ReadingCheck> {
+    let rows = weight_rows(data);
+    let count = |channel| rows.iter().filter(|&&row| data.readings[row].channel == channel).count();
+    if [Channel::PickUp, Channel::SlackOff].into_iter().any(|channel| count(channel) < FEWEST) {
+        return None;
+    }
+    let (together, apart) = (trial.misfit(data, &rows, 1.0, Block::Any), trial.misfit_apart(data));
+    let size_N = median(rows.iter().map(|&row| data.readings[row].value.abs()).collect());
+    let largest_N = apart.blocks_N.iter().map(|(_, block_N)| *block_N).fold(0.0, f64::max);
+    if together.part < WORSE * apart.part || largest_N < DIFFER * size_N {
+        return None;
+    }
+    let lacks = |block_N: f64| block_N.abs() < NONE * largest_N;
+    let holds = |block_N: f64| block_N > (1.0 - NONE) * largest_N;
+    let (without, with): (Vec<_>, Vec<_>) =
+        apart.blocks_N.iter().partition(|(_, block_N)| lacks(*block_N));
+    if without.is_empty() || with.is_empty() || !with.iter().all(|(_, block_N)| holds(*block_N)) {
+        return None;
+    }
+    let named = |channels: &[(Channel, f64)]| {
+        let names: Vec<String> = channels.iter().map(|(channel, _)| plural(*channel)).collect();
+        names.join(" and the ")
+    };
+    let force = |force_N: f64| shown(force_N, Dimension::Force);
+    let off: Vec<String> = without
+        .iter()
+        .map(|(channel, block_N)| {
+            format!(
+                "the {} {} {}",
+                plural(*channel),
+                force(block_N.abs()),
+                if *block_N < 0.0 { "below" } else { "above" }
+            )
+        })
+        .collect();
+    let sentence = format!(
+        "the {} alone appear to contain the block: they are {} above the loads of the string, {}. \
+         Give all weights with the block or all without it",
+        named(&with),
+        force(with.iter().map(|(_, block_N)| *block_N).sum::<f64>() / with.len() as f64),
+        off.join(", "),
+    );
+    let held_N = match trial.block {
+        Block::Held(held_N) => Some(held_N),
+        Block::Free | Block::Any => None,
+    };
+    Some(
+        ReadingCheck::new(CheckKind::BlockNotInReadings, Severity::Warning, sentence)
+            .numbers([Some(largest_N), held_N]),
     )
 }
 

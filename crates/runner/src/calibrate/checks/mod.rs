@@ -53,7 +53,7 @@ pub(super) fn by_string(
     }
     let mut checks = in_units(checks, units);
     refused(name, &checks)?;
-    checks.extend(block::of_case(data, &trial));
+    checks.extend(block::in_some(data, &trial).or_else(|| block::of_case(data, &trial)));
     if !checks.iter().any(|check| check.check.kind == CheckKind::BlockNotInReadings) {
         checks.extend(in_units(block::below(data, &trial), units));
         refused(name, &checks)?;

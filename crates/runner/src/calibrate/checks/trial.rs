@@ -141,6 +141,45 @@ impl Trial {
     }
 }
 
+/// Weights of the block by kind of weight, with the friction that suits them best.
+#[derive(Debug, Clone)]
+pub(super) struct Apart {
+    /// Median deviation over the median weight.
+    pub(super) part: f64,
+    /// Kinds of weights, and the block in each, N.
+    pub(super) blocks_N: Vec<(Channel, f64)>,
+}
+
+impl Trial {
+    /// Misfit of the weights where the block may differ between pick-up, slack-off and rotating
+    /// weights.
+    pub(super) fn misfit_apart(&self, data: &Readings) -> Apart {
+        let all = weight_rows(data);
+        let size = median(all.iter().map(|&row| data.readings[row].value.abs()).collect());
+        let channels = [Channel::PickUp, Channel::SlackOff, Channel::Rotating];
+        let misfit = |step: usize| {
+            let friction = MOST * step as f64 / STEPS as f64;
+            let (mut blocks_N, mut deviations) = (Vec::new(), Vec::new());
+            for channel in channels {
+                let own = rows(data, |other| other == channel);
+                if own.is_empty() {
+                    continue;
+                }
+                let off =
+                    own.iter().map(|&row| data.readings[row].value - self.load(row, friction));
+                let off: Vec<f64> = off.collect();
+                let block_N = median(off.clone());
+                deviations.extend(off.iter().map(|off| (off - block_N).abs()));
+                blocks_N.push((channel, block_N));
+            }
+            Apart { part: median(deviations) / size.max(1e-9), blocks_N }
+        };
+        let all = (0..=STEPS).map(misfit);
+        all.min_by(|a, b| a.part.total_cmp(&b.part))
+            .unwrap_or(Apart { part: f64::INFINITY, blocks_N: Vec::new() })
+    }
+}
+
 /// Rows with readings of these channels.
 pub(super) fn rows(data: &Readings, is: impl Fn(Channel) -> bool) -> Vec<usize> {
     (0..data.readings.len()).filter(|&row| is(data.readings[row].channel)).collect()
