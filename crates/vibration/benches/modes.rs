@@ -1,7 +1,6 @@
 //! Speed of small motions about the string at rest, for its developers:
 //! `cargo bench -p wholestring-vibration`.
 
-#[allow(dead_code)]
 #[path = "../../core/tests/common/mod.rs"]
 mod common;
 // Written for the tests of the dynamics.
