@@ -1,5 +1,7 @@
 //! Numbers as texts.
 
+use wholestring_units::significant;
+
 /// Significant digits of the numbers in WITSML: a tenth of a millimetre in 10 km.
 pub const DIGITS: usize = 8;
 
@@ -14,7 +16,6 @@ pub const DIGITS: usize = 8;
 /// assert_eq!(number(f64::NAN), None);
 /// ```
 pub fn number(value: f64) -> Option<String> {
-    let rounded: f64 = format!("{value:.*e}", DIGITS - 1).parse().ok()?;
     // Without negative zero.
-    rounded.is_finite().then(|| (rounded + 0.0).to_string())
+    value.is_finite().then(|| (significant(value, DIGITS) + 0.0).to_string())
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use wholestring_tabular::ImportedReading;
-use wholestring_units::{Dimension, Unit, UnitSet};
+use wholestring_units::{Dimension, Unit, UnitSet, significant};
 
 /// A column: its heading, dimension and value.
 struct Column {
@@ -45,9 +45,7 @@ const COLUMNS: [Column; 7] = [
 /// Twelve significant digits: more than any reading has, and without the rounding errors of
 /// conversion factors.
 fn number(si: f64, unit: &Unit) -> String {
-    let value = unit.from_si(si);
-    let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
-    format!("{rounded}")
+    significant(unit.from_si(si), 12).to_string()
 }
 
 /// A row for each reading in these units, which are given in the headings; columns without any

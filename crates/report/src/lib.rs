@@ -32,7 +32,7 @@ mod thin;
 mod uncertain;
 mod workbook;
 
-pub use bha::{Bha, bha_number, bha_plain, bha_plots, bha_quantity, bha_tendency};
+pub use bha::{Bha, bha_number, bha_plots, bha_quantity, bha_tendency};
 pub use bit_test::{BitTest, bit_test_plots};
 pub use bottom::BottomPicture;
 pub use calibration::{

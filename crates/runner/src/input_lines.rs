@@ -1,7 +1,7 @@
 //! Inputs and scalars as lines of a sheet.
 
 use wholestring_report::{Cell, Cells, PageTable, Sheet, SheetColumn, display_unit};
-use wholestring_units::UnitSet;
+use wholestring_units::{UnitSet, without_trailing_zeros};
 
 /// Longer lists, such as the stations of a survey, are shown as a count.
 const MAX_ITEMS: usize = 40;
@@ -95,8 +95,5 @@ pub(crate) fn number(value: f64) -> String {
     let Some(exponent @ -4..9) = exponent else { return scientific };
     let decimals = (5 - exponent).max(0) as usize;
     let text = format!("{value:.decimals$}");
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
-    }
+    without_trailing_zeros(&text).to_owned()
 }

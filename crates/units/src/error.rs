@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
-use crate::Dimension;
+use crate::{Dimension, print::without_trailing_zeros};
 
 /// Error in the text of a quantity.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -153,8 +153,7 @@ impl fmt::Display for QuantityError {
 /// A number with a comma, read as thousands and as decimals.
 pub(crate) fn both_ways(found: &str) -> [String; 2] {
     let decimal = found.replace(',', ".");
-    let decimal = decimal.trim_end_matches('0').trim_end_matches('.').to_owned();
-    [found.replace(',', ""), decimal]
+    [found.replace(',', ""), without_trailing_zeros(&decimal).to_owned()]
 }
 
 /// The symbols that a dimension accepts.

@@ -52,6 +52,6 @@ mod unit_set;
 
 pub use dimension::Dimension;
 pub use error::{QuantityError, QuantityErrorKind};
-pub use print::number_text;
+pub use print::{number_text, significant, without_trailing_zeros};
 pub use unit::{Unit, Written};
 pub use unit_set::{UnitSet, UnknownUnitSet};

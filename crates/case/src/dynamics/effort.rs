@@ -7,7 +7,7 @@ use wholestring::{
     outcome::ModelKind,
 };
 
-use wholestring_units::number_text;
+use wholestring_units::{number_text, significant};
 
 use wholestring_config::{diagnostic::Diagnostic, reader::Reader};
 
@@ -47,10 +47,7 @@ pub(crate) fn check_effort(
     let message = if elements > MAX_ELEMENTS {
         format!("the string would be cut into {elements} elements")
     } else if shortest_s < SHORTEST_STEP_S {
-        format!(
-            "the time step would be {} s",
-            number_text(format!("{shortest_s:.1e}").parse().unwrap_or(shortest_s))
-        )
+        format!("the time step would be {} s", number_text(significant(shortest_s, 2)))
     } else if element_steps > MAX_ELEMENT_STEPS {
         let ends_s = efforts.iter().map(|effort| effort.end_s);
         let time_s = ends_s.fold(0.0, f64::max);

@@ -1,6 +1,7 @@
 //! Values of a key in a sweep, one after the other.
 
 use wholestring_config::{diagnostic::Report, prelude::*};
+use wholestring_units::significant;
 
 use crate::edit::overrides::{Override, Quote};
 
@@ -70,7 +71,7 @@ impl Variation {
 ///
 /// ```
 /// use wholestring_case::read_values;
-/// use wholestring_units::Dimension;
+/// use wholestring_units::{Dimension, significant};
 ///
 /// let metres = read_values("--depth", "300m..1000m/300m", Dimension::Length)?;
 /// assert_eq!(metres, [300.0, 600.0, 900.0, 1000.0]);
@@ -295,8 +296,9 @@ fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
         ));
     }
     let toward = step.copysign(to - from.number);
-    let mut numbers: Vec<f64> =
-        (0..=steps as u64).map(|i| rounded(libm::fma(toward, i as f64, from.number))).collect();
+    // So that 0.1 + 2 × 0.1 gives 0.3.
+    let number = |i: u64| significant(libm::fma(toward, i as f64, from.number), DIGITS);
+    let mut numbers: Vec<f64> = (0..=steps as u64).map(number).collect();
     let last = numbers[numbers.len() - 1];
     if (last - to).abs() <= 1e-9 * step {
         numbers.pop();
@@ -307,10 +309,8 @@ fn expand(element: &str) -> Result<Option<Vec<String>>, Mistake> {
     Ok(Some(numbers.iter().map(|number| format!("{number}{blank}{unit}")).collect()))
 }
 
-/// Rounds to twelve digits, so that 0.1 + 2 × 0.1 gives 0.3.
-fn rounded(number: f64) -> f64 {
-    format!("{number:.11e}").parse().unwrap_or(number)
-}
+/// Digits of the numbers of a range.
+const DIGITS: usize = 12;
 
 /// A number and its unit as written.
 pub(crate) struct Quantity<'a> {

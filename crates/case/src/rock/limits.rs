@@ -2,7 +2,7 @@
 
 use wholestring::rock::{BitShape, DrillingSpec};
 
-use wholestring_units::number_text;
+use wholestring_units::{number_text, significant};
 
 use wholestring_config::{diagnostic::Diagnostic, reader::Reader, source::Span};
 
@@ -67,10 +67,7 @@ impl RockTable {
         Diagnostic::error(message)
             .at(
                 self.element_size.place().unwrap_or(whole),
-                format!(
-                    "steps of {} s",
-                    number_text(format!("{step_s:.1e}").parse().unwrap_or(step_s))
-                ),
+                format!("steps of {} s", number_text(significant(step_s, 2))),
             )
             .help("raise element_size or density_factor, or shorten the time")
             .refuse(reader)

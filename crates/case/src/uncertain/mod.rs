@@ -12,6 +12,7 @@ use wholestring_plan::{
     Statics,
     uncertainty::{Distribution, latin_hypercube},
 };
+use wholestring_units::significant;
 
 use crate::edit::overrides::put;
 
@@ -95,7 +96,7 @@ impl UncertainInput {
     /// Returns the same in six digits, for display.
     pub(crate) fn rounded(&self, value: f64) -> String {
         match self.values.is_empty() {
-            true => self.written(format!("{value:.5e}").parse().unwrap_or(value)),
+            true => self.written(significant(value, 6)),
             false => self.written(value),
         }
     }

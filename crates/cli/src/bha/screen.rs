@@ -2,8 +2,8 @@
 
 use wholestring::statics::assembly::{Contact, Touching};
 use wholestring_results::{BhaPoint, BhaState, BhaSummary, BhaVaried, Unchecked};
-use wholestring_runner::bha::{number, plain, quantity, tendency};
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_runner::bha::{number, quantity, tendency};
+use wholestring_units::{Dimension, UnitSet, without_trailing_zeros};
 
 use crate::screen_table::Table;
 
@@ -196,7 +196,7 @@ fn sweep(summary: &BhaSummary, varied: BhaVaried, units: UnitSet) -> String {
             si.map_or("–".into(), |value| number(value, dimension, units))
         };
         table.row(vec![
-            plain(number(point.value(), dimension, units)),
+            without_trailing_zeros(&number(point.value(), dimension, units)).to_owned(),
             found(point.found.map(|state| state.side_force_N[0]), Dimension::Force),
             found(point.found.map(|state| state.side_force_N[1]), Dimension::Force),
             found(point.found.map(|state| state.tilt_rad[0]), Dimension::Angle),

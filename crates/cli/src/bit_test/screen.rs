@@ -2,7 +2,7 @@
 
 use wholestring::rock::TrialOutcome;
 use wholestring_results::BitTestSummary;
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_units::{Dimension, UnitSet, without_trailing_zeros};
 
 use crate::screen_table::Table;
 
@@ -93,10 +93,7 @@ fn number(value: f64) -> String {
     }
     let decimals = (DIGITS - 1 - libm::log10(size).floor() as i32).clamp(0, 6) as usize;
     let text = format!("{value:.decimals$}");
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
-    }
+    without_trailing_zeros(&text).to_owned()
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! A value of a case, in the unit of its file.
 
-use wholestring_units::Unit;
+use wholestring_units::{Unit, significant};
 
 /// A value as in a case file, in the unit of its source.
 #[derive(Debug, Clone, PartialEq)]
@@ -59,7 +59,7 @@ impl Value {
 /// Twelve significant digits: more than any file has, and without the rounding errors of conversion
 /// factors.
 pub(crate) fn rounded(value: f64) -> f64 {
-    format!("{value:.11e}").parse().unwrap_or(value)
+    significant(value, 12)
 }
 
 /// A basic string of TOML.

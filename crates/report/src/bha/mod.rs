@@ -13,7 +13,7 @@ mod varied;
 mod views;
 
 pub use figures::bha_plots;
-pub use numbers::{bha_number, bha_plain, bha_quantity};
+pub use numbers::{bha_number, bha_quantity};
 pub use tendency::bha_tendency;
 
 use wholestring_results::{BhaSummary, BhaVaried, Table};

@@ -1,18 +1,11 @@
 //! Numbers of a static BHA analysis as text.
 
-use wholestring_units::{Dimension, UnitSet};
-
-/// A number without trailing zeros.
-pub fn bha_plain(number: String) -> String {
-    match number.contains('.') {
-        true => number.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => number,
-    }
-}
+use wholestring_units::{Dimension, UnitSet, without_trailing_zeros};
 
 /// Four digits of a quantity, with its unit.
 pub fn bha_quantity(si: f64, dimension: Dimension, units: UnitSet) -> String {
-    format!("{} {}", bha_plain(bha_number(si, dimension, units)), dimension.unit_in(units).symbol)
+    let number = bha_number(si, dimension, units);
+    format!("{} {}", without_trailing_zeros(&number), dimension.unit_in(units).symbol)
 }
 
 /// A number in the chosen unit, with four digits or to the third decimal; a length to the second

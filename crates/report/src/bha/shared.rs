@@ -1,5 +1,7 @@
 //! Common parts of the pictures of an assembly.
 
+use wholestring_units::significant;
+
 use super::Bha;
 use crate::plots::DisplayUnits;
 
@@ -17,9 +19,7 @@ pub(super) fn shown_to_m(bha: &Bha) -> f64 {
 
 /// A quantity in three digits, with its unit.
 pub(super) fn three(display: DisplayUnits<'_>, si: f64, dimension: &str) -> String {
-    let value = display.value(si, dimension);
-    let value: f64 = format!("{value:.2e}").parse().unwrap_or(value);
-    let number = value.to_string().replace('-', "\u{2212}");
+    let number = significant(display.value(si, dimension), 3).to_string().replace('-', "\u{2212}");
     format!("{number} {}", display.symbol(dimension)).trim_end().to_owned()
 }
 

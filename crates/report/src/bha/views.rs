@@ -2,6 +2,7 @@
 
 use wholestring::statics::assembly::Contact;
 use wholestring_results::BhaPart;
+use wholestring_units::significant;
 
 use super::{
     Bha,
@@ -47,7 +48,7 @@ fn largest_radius_m(bha: &Bha) -> f64 {
 
 pub(super) fn figure(bha: &Bha, display: DisplayUnits<'_>) -> Figure {
     let times = exaggeration(bha);
-    let times: f64 = format!("{times:.1e}").parse().unwrap_or(times);
+    let times = significant(times, 2);
     let to_m = shown_to_m(bha);
     let bend = bha.summary.parts.iter().find_map(|part| part.bend_m);
     let marked = |ink| Sample::Point(ink, Shape::Tip);

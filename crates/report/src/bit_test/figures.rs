@@ -1,6 +1,7 @@
 //! Progress of a bit against weight and speed.
 
 use wholestring::rock::TrialOutcome;
+use wholestring_units::significant;
 
 use super::{BitTest, TestedPoint};
 use crate::{
@@ -208,7 +209,8 @@ impl Drawing<'_> {
     /// The bottoms of the points.
     fn bottoms(&self) -> Option<Figure> {
         let name = |point: &TestedPoint<'_>| {
-            let weight = self.display.quantity(round(point.outcome.weight_borne_N), "force");
+            let weight =
+                self.display.quantity(significant(point.outcome.weight_borne_N, 3), "force");
             let speed = self.display.quantity(point.outcome.rotary_speed_rad_per_s, "rotary speed");
             format!("{weight} at {speed}")
         };
@@ -220,9 +222,4 @@ impl Drawing<'_> {
         (!bottoms.is_empty())
             .then(|| bottoms_figure(title, conditions, &bottoms, sides, self.display))
     }
-}
-
-/// A number in three digits.
-fn round(value: f64) -> f64 {
-    format!("{value:.2e}").parse().unwrap_or(value)
 }

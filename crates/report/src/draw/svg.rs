@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use base64::{Engine, engine::general_purpose::STANDARD};
+use wholestring_units::without_trailing_zeros;
 
 use super::{
     Anchor, Box, Drawing, Ink, Pen,
@@ -231,7 +232,7 @@ fn push(data: &mut String, coordinates: [i64; 2]) {
 /// A number to a hundredth of a point.
 fn number(value: f64) -> String {
     let text = format!("{value:.2}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
+    let text = without_trailing_zeros(&text);
     if text == "-0" { "0" } else { text }.to_owned()
 }
 

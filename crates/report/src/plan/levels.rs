@@ -2,6 +2,7 @@
 
 use wholestring::well::FrictionLevel;
 use wholestring_results::{PlanFriction, PlanSummary};
+use wholestring_units::without_trailing_zeros;
 
 use crate::figure::Stroke;
 
@@ -61,6 +62,5 @@ fn sections(summary: &PlanSummary, level: FrictionLevel) -> impl Iterator<Item =
 
 /// A coefficient in three decimals, without trailing zeros.
 fn short(value: f64) -> String {
-    let text = format!("{value:.3}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    without_trailing_zeros(&format!("{value:.3}")).to_owned()
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use wholestring_units::UnitSet;
+use wholestring_units::{UnitSet, without_trailing_zeros};
 
 use crate::{Cell, DisplayUnit, Fact, dimensions::UNIT_SETS};
 
@@ -94,9 +94,5 @@ fn plain(value: f64) -> String {
     let whole = value.abs().log10().floor() as i32 + 1;
     let digits = (5 - whole).clamp(0, 8) as usize;
     let text = format!("{value:.digits$}");
-    let text = match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.'),
-        false => &text,
-    };
-    text.replace('-', "\u{2212}")
+    without_trailing_zeros(&text).replace('-', "\u{2212}")
 }

@@ -2,7 +2,7 @@
 
 use wholestring::operation::OperationKind;
 use wholestring_results::{StabilitySummary, StableFrom, StableWhere};
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_units::{Dimension, UnitSet, significant};
 
 /// Conclusions from the map, in sentences. `operation` is the analysed operation, which
 /// is not that of the map if it does not rotate on bottom.
@@ -11,7 +11,7 @@ pub fn stability_sentences(
     summary: &StabilitySummary,
     units: UnitSet,
 ) -> Vec<String> {
-    let speed = |si: f64| Dimension::RotarySpeed.format(three(si / RPM) * RPM, units);
+    let speed = |si: f64| Dimension::RotarySpeed.format(significant(si / RPM, 3) * RPM, units);
     let weight = Dimension::Force.format(summary.weight_on_bit_N, units);
     let own = speed(summary.rotary_speed_rad_per_s);
     let mut sentences = Vec::new();
@@ -98,8 +98,3 @@ fn gives_way(summary: &StabilitySummary) -> bool {
 
 /// rad/s in a revolution per minute.
 const RPM: f64 = std::f64::consts::PI / 30.0;
-
-/// A number in three digits.
-fn three(value: f64) -> f64 {
-    format!("{value:.2e}").parse().unwrap_or(value)
-}

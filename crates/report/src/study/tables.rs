@@ -2,7 +2,7 @@
 
 use wholestring_results::{Column, Table};
 use wholestring_study::{NumberTable, Row, Wanted};
-use wholestring_units::UnitSet;
+use wholestring_units::{UnitSet, significant, without_trailing_zeros};
 
 use super::{
     Grid, StudyPart, Verdict,
@@ -160,11 +160,10 @@ fn given(target: &Wanted, worth: f64) -> String {
             let off = expected - least;
             let percent = 100.0 * off / expected.abs();
             // A tolerance with so few digits was written in percent.
-            let share = format!("{:.1e}", percent).parse().ok();
-            let share = share.filter(|share: &f64| (share - percent).abs() <= 1e-6 * percent);
-            match share {
-                Some(share) => format!("{} ± {share} %", show(expected)),
-                None => format!("{} ± {}", show(expected), short(off / worth)),
+            let share = significant(percent, 2);
+            match (share - percent).abs() <= 1e-6 * percent {
+                true => format!("{} ± {share} %", show(expected)),
+                false => format!("{} ± {}", show(expected), short(off / worth)),
             }
         }
         (Some(expected), (None, None)) => show(expected),
@@ -197,7 +196,7 @@ fn against(row: &Row, number: f64, worth: f64) -> String {
 
 /// A number as written: all of its digits, if there are at most seven.
 fn as_given(value: f64) -> String {
-    let whole: f64 = format!("{value:.6e}").parse().unwrap_or(value);
+    let whole = significant(value, 7);
     let written = format!("{whole}");
     match (whole - value).abs() <= 1e-12 * value.abs() && written.len() <= 9 {
         true => written.replace('-', "\u{2212}"),
@@ -219,10 +218,7 @@ fn short(value: f64) -> String {
     }
     let decimals = (3.0 - size).max(0.0) as usize;
     let text = format!("{value:.decimals$}").replace('-', "\u{2212}");
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
-    }
+    without_trailing_zeros(&text).to_owned()
 }
 
 /// A digit or a minus sign as an exponent.

@@ -8,5 +8,5 @@ mod request;
 pub use points::Sweeps;
 pub use request::{AtRest, Outcome, Request, at_rest, run};
 pub use wholestring_report::{
-    bha_number as number, bha_plain as plain, bha_quantity as quantity, bha_tendency as tendency,
+    bha_number as number, bha_quantity as quantity, bha_tendency as tendency,
 };

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 use wholestring::rock::TrialSpec;
 use wholestring_case::BitTest;
 use wholestring_results::bit_test_common;
+use wholestring_units::significant;
 
 use crate::error::Error;
 
@@ -23,13 +24,7 @@ const DIGITS: usize = 9;
 
 /// Rotary speed in rev/min, without digits added by the conversion.
 pub(super) fn rpm(rad_per_s: f64) -> f64 {
-    rounded(rad_per_s * 30.0 / PI, 12)
-}
-
-/// The number rounded to this many significant digits.
-fn rounded(value: f64, digits: usize) -> f64 {
-    let text = format!("{value:.*e}", digits - 1);
-    text.parse().unwrap_or(value)
+    significant(rad_per_s * 30.0 / PI, 12)
 }
 
 /// The points, ordered by weight, then by speed.
@@ -42,8 +37,8 @@ pub(super) fn points(test: &BitTest, settings: &Value) -> Result<Vec<Point>, Err
         Point {
             name: format!(
                 "wob={}kN,rpm={}",
-                rounded(1e-3 * weight_N, DIGITS),
-                rounded(rpm(rotary_rad_per_s), DIGITS)
+                significant(1e-3 * weight_N, DIGITS),
+                significant(rpm(rotary_rad_per_s), DIGITS)
             ),
             spec: TrialSpec {
                 weight_N,

@@ -8,7 +8,7 @@ use wholestring_case::{Case, MAX_FRICTION, Override};
 use wholestring_judge::{CheckKind, ReadingCheck};
 use wholestring_plan::calibration::{Calibration, Factors, Parameter};
 use wholestring_results::{CalibrationSummary, EstimateFound, ResultsError};
-use wholestring_units::{Dimension, UnitSet};
+use wholestring_units::{Dimension, UnitSet, significant};
 
 use super::checks;
 use crate::{error::Error, readings::NamedCase};
@@ -226,8 +226,7 @@ pub fn changes(folder: &Path) -> Result<Vec<(String, String)>, Error> {
 
 /// A number in six digits.
 fn six(value: f64) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    wholestring_units::number_text(rounded)
+    wholestring_units::number_text(significant(value, 6))
 }
 
 /// A factor in four decimals; a force or torque in the case's unit.

@@ -6,6 +6,7 @@ use wholestring::{outcome::ModelKind, well::HoleKind};
 use wholestring_judge::{Check, Judge, Unchecked};
 use wholestring_plan::{Broomstick, BroomstickPoint, BucklingWeight, FrictionLevel};
 use wholestring_results::{PlanBuckling, PlanCheck, PlanFriction, PlanOperation, PlanPoint};
+use wholestring_units::significant;
 
 pub(super) fn points(found: &[BroomstickPoint]) -> Vec<PlanPoint> {
     let point = |point: &BroomstickPoint| {
@@ -76,13 +77,12 @@ pub(super) fn frictions(broomstick: &Broomstick) -> Vec<PlanFriction> {
             from_md_m: section.from_md_m,
             to_md_m: section.to_md_m,
             // Removes digits left by rounding.
-            along: rounded(section.friction.kinetic),
-            around: rounded(section.friction.kinetic * section.friction.around),
+            along: significant(section.friction.kinetic, DIGITS),
+            around: significant(section.friction.kinetic * section.friction.around, DIGITS),
         })
     };
     FrictionLevel::ALL.into_iter().flat_map(sections).collect()
 }
 
-fn rounded(value: f64) -> f64 {
-    (1e12 * value).round() * 1e-12
-}
+/// Digits of a coefficient of friction.
+const DIGITS: usize = 12;

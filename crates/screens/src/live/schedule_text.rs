@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use serde_json::{Value, json};
 use wholestring_case::{Case, Edit, EditError, edit};
 use wholestring_config::node::{self, Value as Node};
-use wholestring_units::number_text;
+use wholestring_units::{number_text, significant};
 
 use super::{recording::RecordedEvent, set_points::SetPoints};
 
@@ -37,20 +37,18 @@ pub struct WithSchedule {
     pub left_out: Vec<String>,
 }
 
-/// Rounds to nine digits, as many as a set point has.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.8e}").parse().unwrap_or(value)
-}
+/// Digits of a set point.
+const DIGITS: usize = 9;
 
 fn quantity(value: f64, unit: &str) -> Value {
-    json!(format!("{} {unit}", rounded(value)))
+    json!(format!("{} {unit}", significant(value, DIGITS)))
 }
 
 /// The values of set points, as channel, key and value.
 fn values(points: &SetPoints) -> impl Iterator<Item = (Channel, &'static str, Value)> {
     let speed = points
         .rotary_speed_rad_per_s
-        .map(|speed| (Channel::RotarySpeed, "rpm", json!(rounded(speed * 30.0 / PI))));
+        .map(|speed| (Channel::RotarySpeed, "rpm", json!(significant(speed * 30.0 / PI, DIGITS))));
     let block = points
         .block_velocity_m_per_s
         .map(|speed| (Channel::Hoist, "block_velocity", quantity(speed, "m/s")));
@@ -111,9 +109,9 @@ pub fn with_schedule(
     for line in &lines {
         let at = there.partition_point(|at_s| *at_s <= line.at_s);
         there.insert(at, line.at_s);
-        let mut value = json!({ "at": format!("{} s", rounded(line.at_s)) });
+        let mut value = json!({ "at": format!("{} s", significant(line.at_s, DIGITS)) });
         if line.ramp_s > 0.0 {
-            value["ramp"] = json!(format!("{} s", rounded(line.ramp_s)));
+            value["ramp"] = json!(format!("{} s", significant(line.ramp_s, DIGITS)));
         }
         value[line.key] = line.value.clone();
         edits.push(Edit::Insert { list: list.to_owned(), at, value });

@@ -2,6 +2,7 @@
 
 use wholestring_case::MAX_FRICTION;
 use wholestring_config::node::{Entries, Node, Value};
+use wholestring_units::significant;
 
 /// Casing or rock.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -95,11 +96,11 @@ pub(crate) struct Frictions(Vec<Given>);
 const LEAST: f64 = 1e-3;
 
 /// Number of digits of a scaled coefficient.
-const SCALED_DIGITS: i32 = 4;
+const SCALED_DIGITS: usize = 4;
 
 /// Number of digits of a coefficient that keeps its ratio to another one, which may be at a bound
 /// of the plan.
-const RATIO_DIGITS: i32 = 6;
+const RATIO_DIGITS: usize = 6;
 
 impl Frictions {
     /// The coefficients of a text; empty if it has none.
@@ -149,7 +150,9 @@ impl Frictions {
     /// of the plan, which thus keep their order.
     pub(crate) fn scaled(&self, factor: f64) -> Vec<(String, f64)> {
         let numbers = self.0.iter().flat_map(|group| &group.numbers);
-        numbers.map(|(key, value)| (key.clone(), rounded(value * factor, SCALED_DIGITS))).collect()
+        numbers
+            .map(|(key, value)| (key.clone(), significant(value * factor, SCALED_DIGITS)))
+            .collect()
     }
 
     /// The same axial coefficient for all sections, and for the expected level of the plan if it
@@ -162,7 +165,7 @@ impl Frictions {
             let value = |(place, (key, old)): (usize, &(String, f64))| {
                 let ratio = if place > 0 && kinetic > 0.0 { old / kinetic } else { 1.0 };
                 let new = coefficient * ratio;
-                (key.clone(), if place == 0 { new } else { rounded(new, RATIO_DIGITS) })
+                (key.clone(), if place == 0 { new } else { significant(new, RATIO_DIGITS) })
             };
             group.numbers.iter().enumerate().map(value).collect()
         };
@@ -209,15 +212,6 @@ impl Frictions {
         let range = [(1e4 * range[0] - 1e-6).ceil() / 1e4, (1e4 * range[1] + 1e-6).floor() / 1e4];
         (range[0] < range[1]).then_some(range)
     }
-}
-
-/// A coefficient rounded to sensible digits. Larger ones stay larger.
-fn rounded(value: f64, digits: i32) -> f64 {
-    if value == 0.0 {
-        return 0.0;
-    }
-    let digits = digits - 1 - value.abs().log10().floor() as i32;
-    format!("{value:.*}", digits.max(0) as usize).parse().unwrap_or(value)
 }
 
 #[cfg(test)]
@@ -271,13 +265,5 @@ friction = 0.3
         let uniform = frictions(&expected).uniform(0.35);
         assert_eq!(uniform.len(), 3);
         assert!(uniform.contains(&("plan.friction.expected.open".to_owned(), 0.35)));
-    }
-
-    #[test]
-    fn a_rounded_coefficient_has_four_digits() {
-        assert_eq!(rounded(0.097 * 0.8, 4), 0.0776);
-        assert_eq!(rounded(0.123456, 4), 0.1235);
-        assert_eq!(rounded(1.23456, 4), 1.235);
-        assert_eq!(rounded(0.0, 4), 0.0);
     }
 }

@@ -1,6 +1,6 @@
 //! Weight of the block, which a log does not separate from that of the string.
 
-use wholestring_units::{Dimension, Unit, number_text};
+use wholestring_units::{Dimension, Unit, number_text, significant};
 
 use super::beginning::Beginning;
 use crate::{
@@ -212,8 +212,5 @@ pub(super) fn shown(newtons: f64, unit: &Unit) -> String {
 
 /// Formats a number with three digits; 0 below 0.01.
 pub(super) fn three_digits(value: f64) -> String {
-    let size = if value == 0.0 { 0.0 } else { libm::log10(value.abs()).floor() };
-    let scale = libm::pow(10f64, 2.0 - size);
-    let rounded = if size < -2.0 { 0.0 } else { (value * scale).round() / scale };
-    number_text(rounded)
+    number_text(if value.abs() < 0.01 { 0.0 } else { significant(value, 3) })
 }

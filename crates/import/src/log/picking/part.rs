@@ -1,7 +1,7 @@
 //! Contribution of picked weights to a case.
 
 use wholestring_tabular::ImportedReading;
-use wholestring_units::{Dimension, Unit};
+use wholestring_units::{Dimension, Unit, significant};
 
 use super::picks::Picks;
 use crate::fragment::{Block, Fragment, Origin};
@@ -30,10 +30,7 @@ impl Picks {
         let unit = |dimension: Dimension| dimension.unit_in(self.units);
         let (length, force) = (unit(Dimension::Length), unit(Dimension::Force));
         let torque = unit(Dimension::Torque);
-        let five = |unit: &Unit, si: f64| {
-            let value: f64 = format!("{:.4e}", unit.from_si(si)).parse().unwrap_or(f64::NAN);
-            unit.to_si(value)
-        };
+        let five = |unit: &Unit, si: f64| unit.to_si(significant(unit.from_si(si), 5));
         let readings = self.readings().into_iter().map(|reading| ImportedReading {
             bit_depth_m: length
                 .to_si((100.0 * length.from_si(reading.bit_depth_m)).round() / 100.0),

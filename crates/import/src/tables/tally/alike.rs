@@ -1,6 +1,7 @@
 //! Joints that a tally lists one by one.
 
 use wholestring_tabular::{Column, TallyRow};
+use wholestring_units::significant;
 
 use super::{length::Length, part::Part};
 use crate::fragment::{Note, Origin};
@@ -29,7 +30,7 @@ pub(crate) fn join<'a>(parts: Vec<Part<'a>>, notes: &mut Vec<Note>) -> Vec<Part<
         let from = format!("{count} joints, {} to {}", first.row().place, last.row().place);
         notes.push(Note::Read(format!("'{}': {from}, are one component", first.name)));
         // Twelve digits, without the rounding error of a sum.
-        let number = format!("{:.11e}", unit.from_si(length_m)).parse().unwrap_or_default();
+        let number = significant(unit.from_si(length_m), 12);
         let length = Length::Of {
             number,
             unit,

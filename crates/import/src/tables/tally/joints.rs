@@ -2,7 +2,7 @@
 
 use wholestring::string::catalogue::CatalogueEntry;
 use wholestring_tabular::{Column, Holds, TallyCell};
-use wholestring_units::{Dimension, number_text};
+use wholestring_units::{Dimension, number_text, significant};
 
 use super::{
     length::Length,
@@ -92,7 +92,7 @@ fn spacing(part: &Part) -> Option<(Value, Origin)> {
         return Some((quantity(cell), origin(cell)));
     }
     let Length::Of { number, unit, joints: Some(joints), .. } = &part.length else { return None };
-    let each = format!("{:.5e}", number / joints).parse::<f64>().ok()?;
+    let each = significant(number / joints, 6);
     let from =
         format!("{} {} over {} joints", number_text(*number), unit.symbol, number_text(*joints));
     (*joints >= 2.0 && usual(unit.to_si(each)))

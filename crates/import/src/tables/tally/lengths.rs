@@ -1,7 +1,7 @@
 //! Lengths of the components of a tally.
 
 use wholestring_tabular::{Column, Holds, TallyCell, TallyRow};
-use wholestring_units::{Dimension, number_text};
+use wholestring_units::{Dimension, number_text, significant};
 
 use super::{length::Length, part::Refusal, quote::origin, sums};
 use crate::{
@@ -58,7 +58,7 @@ fn unlike_joints(length: &Length) -> Option<String> {
     if (SHORT_M..=JOINT_M[1]).contains(&unit.to_si(each)) {
         return None;
     }
-    let rounded = number_text(format!("{each:.3e}").parse().unwrap_or(each));
+    let rounded = number_text(significant(each, 4));
     let found = format!(
         "{} joints in {} {} are {rounded} {} each, and joints are {} to {} m long",
         number_text(*joints),

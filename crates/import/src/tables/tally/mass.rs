@@ -8,7 +8,7 @@ use wholestring::string::{
 };
 use wholestring_case::STEEL_DENSITY_KG_PER_M3;
 use wholestring_tabular::{Column, Holds, TallyCell};
-use wholestring_units::{Dimension, number_text};
+use wholestring_units::{Dimension, number_text, significant};
 
 use super::{
     part::{Part, Refusal},
@@ -186,8 +186,7 @@ fn per_metre(cell: &TallyCell) -> (Value, Origin) {
 /// A computed mass per length, kg/m, to five digits, in the unit system of its cells.
 fn per_length(mass: f64, is_field: bool) -> Value {
     let unit = unit(Dimension::MassPerLength, if is_field { "lb/ft" } else { "kg/m" });
-    let number = unit.from_si(mass);
-    Value::quantity(format!("{number:.4e}").parse().unwrap_or(number), unit)
+    Value::quantity(significant(unit.from_si(mass), 5), unit)
 }
 
 /// Mass per length from the total weight of its rows, with the place of the first.

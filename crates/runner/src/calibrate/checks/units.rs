@@ -6,7 +6,7 @@
 use wholestring_judge::{CheckKind, Quantity, ReadingCheck, Severity};
 use wholestring_plan::calibration::Channel;
 
-use wholestring_units::{Dimension, Unit};
+use wholestring_units::{Dimension, Unit, significant};
 
 use super::{
     text::{dimension, median, plural, share, shown, words},
@@ -272,7 +272,7 @@ fn torque(data: &Readings, trial: &Trial, channel: Channel) -> Option<ReadingChe
         rounded(friction),
         unit.symbol,
         rounded(would),
-        wholestring_units::number_text(format!("{factor:.3e}").parse().unwrap_or(factor)),
+        wholestring_units::number_text(significant(factor, 4)),
         data.places[row],
         shown(data.readings[row].value, dimension(channel)),
         Quantity::depth(data.readings[row].bit_depth_m),
