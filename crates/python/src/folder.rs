@@ -33,7 +33,7 @@ impl Folder {
         if !summary.is_file() {
             return Ok(Self { path, kind, summary: "{}".to_owned() });
         }
-        check_summary(kind, &summary)?;
+        check_summary(&path)?;
         let text = fs::read_to_string(&summary);
         let text = text.map_err(|source| ResultsError::Read { path: summary, source })?;
         Ok(Self { path, kind, summary: text })

@@ -37,6 +37,28 @@ impl OperationTables {
         Ok(found.unwrap_or_else(|| Table::new(Vec::new())))
     }
 
+    /// Checks that each row of a table names an operation: rows of no known one belong to none that
+    /// is read.
+    ///
+    /// # Errors
+    /// The first row that names none, and those of [`OperationTables::read`].
+    pub fn check_operations(&self, name: &str) -> Result<(), ResultsError> {
+        let path = self.folder.join(format!("{name}.parquet"));
+        if !path.is_file() {
+            return Ok(());
+        }
+        let table = Table::read_parquet(&path)?;
+        let Some(names) = table.words("operation") else {
+            return Err(ResultsError::format(&path, "it has no column 'operation'"));
+        };
+        match (1..).zip(names).find(|(_, name)| OperationKind::from_name(name).is_none()) {
+            Some((row, name)) => {
+                Err(ResultsError::format(&path, format!("'{name}' in row {row} is no operation")))
+            }
+            None => Ok(()),
+        }
+    }
+
     /// Calls `take` with the same rows, piece by piece, because together they may be larger than
     /// memory. The pieces have the columns that are named, or all.
     ///
@@ -70,6 +92,24 @@ impl OperationTables {
 mod tests {
     use super::*;
     use crate::Column;
+
+    #[test]
+    fn a_name_of_no_operation_is_an_error() {
+        let folder = tempfile::tempdir().unwrap();
+        let tables = OperationTables::of_folder(folder.path());
+        assert!(tables.check_operations("spectra").is_ok(), "no such file");
+        let write = |names: [&str; 2]| {
+            let names = names.map(str::to_owned).to_vec();
+            let table = Table::new(vec![Column::words("operation", names)]);
+            table.write_parquet(&folder.path().join("spectra.parquet")).unwrap();
+        };
+        write(["drill", "trip_out"]);
+        assert!(tables.check_operations("spectra").is_ok());
+        write(["drill", "trip"]);
+        let error = tables.check_operations("spectra").expect_err("no operation").to_string();
+        assert!(error.contains("spectra.parquet"), "{error}");
+        assert!(error.contains("'trip' in row 2 is no operation"), "{error}");
+    }
 
     /// Rows of one operation and one model, whole and in pieces of some columns.
     #[test]

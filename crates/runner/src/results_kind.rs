@@ -24,6 +24,9 @@ pub(crate) trait Results: Sized {
     /// Files other than tables, pictures and the page.
     const FILES: &'static [&'static str] = &[];
 
+    /// Reads the summary for its errors alone: those of its layout and version.
+    fn check_summary(path: &Path) -> Result<(), ResultsError>;
+
     /// Reads all page data from the folder's files.
     fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError>;
 
@@ -81,6 +84,8 @@ pub(crate) struct ResultsKind {
     pub(crate) files: &'static [&'static str],
     /// Way in which two folders are drawn together.
     pub(crate) overlay: Overlay,
+    /// Reads a summary for its errors alone: those of its layout and version.
+    pub(crate) check_summary: fn(&Path) -> Result<(), ResultsError>,
     /// Rewrites page and pictures.
     pub(crate) write_again: fn(&ResultsFolder, Option<UnitSet>) -> Result<(), Error>,
     /// Every picture.
@@ -97,6 +102,7 @@ impl ResultsKind {
             with_numbers: R::WITH_NUMBERS,
             files: R::FILES,
             overlay: Overlay::Nothing,
+            check_summary: R::check_summary,
             write_again: R::write_again,
             plots: |folder, units| Ok(R::gather(folder, units)?.plots()),
         }

@@ -3,10 +3,7 @@
 use std::{fs, path::Path};
 
 use wholestring_report::{Bha, BitTest, Calibration, Modes, Plan, Reach};
-use wholestring_results::{
-    BhaSummary, BitTestSummary, CalibrationSummary, ModesSummary, PlanSummary, ReachSummary,
-    ResultsError, Summary,
-};
+use wholestring_results::ResultsError;
 
 use crate::{error::Error, results_kind::ResultsKind, run::pictures::RUN, sweep::page::SWEEP};
 
@@ -38,21 +35,14 @@ pub fn results_kind(folder: &Path) -> Result<&'static str, Error> {
     })
 }
 
-/// Reads the summary of results of a kind for its errors alone: those of its layout and version.
+/// Reads the summary of the results in a folder for its errors alone: those of its layout and
+/// version.
 ///
 /// # Errors
 /// A summary that cannot be read.
-pub fn check_summary(noun: &str, summary: &Path) -> Result<(), ResultsError> {
-    match noun {
-        "a run" => Summary::read(summary).map(drop),
-        "a plan" => PlanSummary::read(summary).map(drop),
-        "a reach" => ReachSummary::read(summary).map(drop),
-        "a calibration" => CalibrationSummary::read(summary).map(drop),
-        "modes" => ModesSummary::read(summary).map(drop),
-        "a static BHA analysis" => BhaSummary::read(summary).map(drop),
-        "a bit test" => BitTestSummary::read(summary).map(drop),
-        _ => Ok(()),
-    }
+pub fn check_summary(folder: &Path) -> Result<(), ResultsError> {
+    let kind = KINDS.iter().find(|kind| (kind.is_in)(folder));
+    kind.map_or(Ok(()), |kind| (kind.check_summary)(&folder.join("summary.json")))
 }
 
 /// Kind of results in the folder.

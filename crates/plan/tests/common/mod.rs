@@ -1,22 +1,14 @@
 //! Verification files and their units, shared by the tests.
 // Every test file uses its own part of this module.
-#![allow(dead_code)]
+#![allow(dead_code, unused_imports)]
 
 use serde_json::Value;
 use wholestring::string::{Component, Material};
+pub use wholestring_verification::file as verification;
 
 pub const INCH_M: f64 = 0.0254;
 pub const POUND_FORCE_N: f64 = 0.45359237 * 9.80665;
 pub const FOOT_POUND_N_M: f64 = 0.3048 * POUND_FORCE_N;
-
-/// A file of `verification/`, parsed.
-pub fn verification(name: &str) -> Value {
-    let path =
-        std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../verification").join(name);
-    let text = std::fs::read_to_string(&path)
-        .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-    serde_json::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-}
 
 /// Returns a number of such a file.
 #[track_caller]

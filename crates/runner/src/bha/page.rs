@@ -19,6 +19,10 @@ impl Results for Bha {
     const TABLE: &'static str = NODES;
     const PICTURES: &'static [&'static str] = &[VIEWS];
 
+    fn check_summary(path: &Path) -> Result<(), ResultsError> {
+        BhaSummary::read(path).map(drop)
+    }
+
     fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
         let summary = BhaSummary::read(&folder.join("summary.json"))?;
         Ok(Self::new(summary, &table(folder, NODES)?, units))

@@ -18,6 +18,10 @@ impl Results for BitTest {
     const PICTURES: &'static [&'static str] = &[DRILL_OFF];
     const FILES: &'static [&'static str] = &[LAW];
 
+    fn check_summary(path: &Path) -> Result<(), ResultsError> {
+        BitTestSummary::read(path).map(drop)
+    }
+
     fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
         let summary = BitTestSummary::read(&folder.join("summary.json"))?;
         let mut bottoms = Vec::new();

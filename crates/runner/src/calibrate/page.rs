@@ -20,6 +20,10 @@ impl Results for Calibration {
     const PICTURES: &'static [&'static str] = &CALIBRATION_PICTURES;
     const FILES: &'static [&'static str] = &[FRAGMENT];
 
+    fn check_summary(path: &Path) -> Result<(), ResultsError> {
+        CalibrationSummary::read(path).map(drop)
+    }
+
     fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
         let summary = CalibrationSummary::read(&folder.join("summary.json"))?;
         let rows = CalibrationRows {

@@ -6,10 +6,7 @@ use serde_json::Value as Json;
 use wholestring_results::read_any_summary;
 
 use super::format::What;
-use crate::{
-    error::Error,
-    results_kinds::{check_summary, kind_of},
-};
+use crate::{error::Error, results_kinds::kind_of};
 
 /// Source of an export: its name, and the settings with all defaults.
 pub(super) struct Source {
@@ -34,7 +31,7 @@ pub(super) fn of_folder(folder: &Path, what: What) -> Result<Source, Error> {
             kind.noun
         )));
     }
-    check_summary(kind.noun, &path)?;
+    (kind.check_summary)(&path)?;
     let mut summary = read_any_summary(&path)?;
     let settings = summary.get_mut("settings").map(Json::take).unwrap_or_default();
     let name = summary["case"].as_str().unwrap_or("Case").to_owned();

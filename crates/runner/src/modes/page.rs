@@ -18,6 +18,10 @@ impl Results for Modes {
     const PICTURES: &'static [&'static str] = &MODES_PICTURES;
     const WITH_NUMBERS: bool = true;
 
+    fn check_summary(path: &Path) -> Result<(), ResultsError> {
+        ModesSummary::read(path).map(drop)
+    }
+
     fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
         let summary = ModesSummary::read(&folder.join("summary.json"))?;
         let rows = ModesRows {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use wholestring_report::{PLAN_PICTURES, Plan, Plot, plan_html, plan_plots};
-use wholestring_results::{ResultsError, ResultsFolder};
+use wholestring_results::{PlanSummary, ResultsError, ResultsFolder};
 use wholestring_units::UnitSet;
 
 use super::{
@@ -18,6 +18,10 @@ impl Results for Plan {
     const PICTURES: &'static [&'static str] = &PLAN_PICTURES;
     const WITH_NUMBERS: bool = true;
     const FILES: &'static [&'static str] = &[WORKBOOK];
+
+    fn check_summary(path: &Path) -> Result<(), ResultsError> {
+        PlanSummary::read(path).map(drop)
+    }
 
     fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
         page::gather(folder, units)

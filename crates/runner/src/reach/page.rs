@@ -15,6 +15,10 @@ impl Results for Reach {
     const PICTURES: &'static [&'static str] = &REACH_PICTURES;
     const WITH_NUMBERS: bool = true;
 
+    fn check_summary(path: &Path) -> Result<(), ResultsError> {
+        ReachSummary::read(path).map(drop)
+    }
+
     fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
         let summary = ReachSummary::read(&folder.join("summary.json"))?;
         Ok(Self::new(summary, &read_rows(folder, REACH)?, units))

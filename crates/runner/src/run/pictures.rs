@@ -21,6 +21,7 @@ pub(crate) const RUN: ResultsKind = ResultsKind {
     with_numbers: false,
     files: &[PROFILE],
     overlay: Overlay::Two,
+    check_summary: |path| Summary::read(path).map(drop),
     write_again,
     plots: |folder, units| overlaid(&[folder.to_owned()], units),
 };
@@ -78,5 +79,6 @@ fn report(folder: &Path, units: Option<UnitSet>) -> Result<Report, Error> {
         return Err(Error::bad_input(lacking));
     }
     let tables = OperationTables::of_folder(folder);
+    tables.check_operations("spectra")?;
     Ok(Report::new(&summary, &tables, units)?)
 }
