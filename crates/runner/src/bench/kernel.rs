@@ -1,4 +1,4 @@
-//! The inner loop alone, and the peak rate of the processor.
+//! The inner loop alone, the peak rate of the processor, and all work of a run in its window.
 
 use serde::Serialize;
 use wholestring::{
@@ -103,4 +103,50 @@ fn peak(bench: &Bench, simulation: &Simulation) -> Result<f64, Error> {
         Ok(clock.elapsed_s() / flops as f64)
     })?;
     Ok(1.0 / s_per_flop.least)
+}
+
+// All work of a run in its window: the inner loop, bit, hoist and top drive, the deepening hole,
+// statistics.
+
+/// A whole run with one instruction set.
+#[derive(Debug, Serialize)]
+pub struct RunRow {
+    /// `double` or `single`.
+    pub precision: &'static str,
+    /// The instruction set.
+    pub instructions: &'static str,
+    /// Time of a step per element and substep.
+    pub ns_per_element_step: Spread,
+    /// Simulated time over processor time.
+    pub real_time_factor: f64,
+}
+
+impl Bench<'_> {
+    /// Measures all work of a run in its window.
+    ///
+    /// # Errors
+    /// As [`Self::kernel`].
+    pub fn run(&self) -> Result<Vec<RunRow>, Error> {
+        let case = self.well.case(&[])?;
+        let precisions = well::precisions(&case);
+        let sets = instruction_sets();
+        self.begin(precisions.len() * sets.len());
+        let mut rows = Vec::new();
+        for (precision, name) in precisions {
+            let settled = well::initialise(&case, precision)?;
+            for instructions in &sets {
+                self.next(&format!("whole run, {name} precision, {instructions}"))?;
+                let mut simulation = settled.clone();
+                simulation.use_instructions(instructions);
+                let run_s = self.repeat(|| self.well.run_s(&case, &simulation))?;
+                rows.push(RunRow {
+                    precision: name,
+                    instructions,
+                    ns_per_element_step: run_s.times(1e9 / simulation.element_steps_per_s()),
+                    real_time_factor: 1.0 / run_s.median,
+                });
+            }
+        }
+        Ok(rows)
+    }
 }

@@ -1,12 +1,17 @@
-//! The tables of a bit test.
+//! The tables of a bit test, and its page and pictures, made from the files in its folder.
+
+use std::path::Path;
 
 use wholestring::rock::{TrialOutcome, bit_face::BottomHole};
+use wholestring_report::{BitTest, BottomPicture, Plot, bit_test_html, bit_test_plots};
 use wholestring_results::{
-    BitTestPoint, BottomHoleCell, Column, ResultsError, ResultsFolder, Row as _, Table,
+    BitTestPoint, BitTestSummary, BottomHoleCell, Column, ResultsError, ResultsFolder, Row as _,
+    Table,
 };
+use wholestring_units::UnitSet;
 
 use super::points::rpm;
-use crate::record::rows::bottom_cells;
+use crate::{page::table, record::rows::bottom_cells, results_kind::Results};
 
 /// Name of the table of all points, without its extension.
 pub(super) const POINTS: &str = "bit-test";
@@ -17,7 +22,7 @@ pub(super) const BOTTOM: &str = "bottom_hole";
 const OPERATION: &str = "bit_test";
 
 /// Name of the table for the law "table".
-pub(super) const LAW: &str = "bit-table.csv";
+const LAW: &str = "bit-table.csv";
 
 /// A number of an outcome.
 type Number = (&'static str, fn(&TrialOutcome) -> f64);
@@ -58,4 +63,40 @@ fn law(outcomes: &[TrialOutcome]) -> Table {
 /// The bottom hole left by a point, as for a run.
 pub(super) fn bottom(bottom: &BottomHole) -> Table {
     BottomHoleCell::table(bottom_cells(bottom, OPERATION))
+}
+
+// `report.html` and the pictures of a bit test, made from the files in its folder.
+
+/// The picture that is drawn by default.
+const DRILL_OFF: &str = "drill-off";
+
+impl Results for BitTest {
+    const NOUN: &'static str = "a bit test";
+    const TABLE: &'static str = POINTS;
+    const PICTURES: &'static [&'static str] = &[DRILL_OFF];
+    const FILES: &'static [&'static str] = &[LAW];
+
+    fn check_summary(path: &Path) -> Result<(), ResultsError> {
+        BitTestSummary::read(path).map(drop)
+    }
+
+    fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
+        let summary = BitTestSummary::read(&folder.join("summary.json"))?;
+        let mut bottoms = Vec::new();
+        for point in &summary.points {
+            bottoms.push(match point.outcome {
+                Some(_) => BottomPicture::of_table(&table(&folder.join(&point.point), BOTTOM)?),
+                None => None,
+            });
+        }
+        Ok(Self::new(summary, bottoms, units))
+    }
+
+    fn html(&self) -> Option<String> {
+        self.has_points().then(|| bit_test_html(self))
+    }
+
+    fn plots(&self) -> Vec<Plot> {
+        bit_test_plots(self, &self.head.units)
+    }
 }

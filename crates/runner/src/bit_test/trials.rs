@@ -4,14 +4,13 @@ use std::sync::{Mutex, PoisonError};
 
 use wholestring::rock::{Alone, DrillingResponse, Stepper, Trial, TrialOutcome};
 use wholestring_case::{BitTest, Case};
+use wholestring_judge::{Check, TriedPoint, bit_test_checks};
 use wholestring_results::{
     BIT_TEST_VERSION, BitTestPoint, BitTestSummary, ResultsError, ResultsFolder, Row as _, Status,
 };
 
 use super::{
-    checks,
-    point_checkpoint::{self, PointCheckpoint},
-    points::Point,
+    points::{self, Point, PointCheckpoint},
     tables,
 };
 use crate::{
@@ -98,7 +97,7 @@ impl<'a> Trials<'a> {
         let mut endings = lock(&self.endings);
         for (index, point) in self.points.iter().enumerate() {
             let place = self.folder.path().join(&point.name);
-            endings[index] = point_checkpoint::finished(&place, point).map(Ok);
+            endings[index] = points::finished(&place, point).map(Ok);
             if endings[index].is_some() && self.mine.contains(&index) {
                 // Left by a test that was killed just after the point was finished.
                 ResultsFolder::create(place)?.remove_checkpoint()?;
@@ -122,7 +121,7 @@ impl<'a> Trials<'a> {
                 if ending.is_none() {
                     let place = self.folder.path().join(&point.name);
                     let failed = failed.remove(&point.name).map(|why| Err(Stop::Unsolved(why)));
-                    *ending = point_checkpoint::finished(&place, point).map(Ok).or(failed);
+                    *ending = points::finished(&place, point).map(Ok).or(failed);
                 }
             }
         }
@@ -179,7 +178,7 @@ impl<'a> Trials<'a> {
         let mut trial = match begun {
             Some(trial) => trial,
             None => {
-                point_checkpoint::begin(&folder)?;
+                points::begin(&folder)?;
                 Trial::new(&point.spec, &self.test.drilling).map_err(|error| unsolved(&error))?
             }
         };
@@ -213,7 +212,7 @@ impl<'a> Trials<'a> {
         let bottom = tables::bottom(&trial.drilling().bottom_hole());
         folder.write_table(tables::BOTTOM, &bottom, self.options.csv)?;
         // Marks the point as finished.
-        point_checkpoint::finish(&folder, point, outcome)?;
+        points::finish(&folder, point, outcome)?;
         keeper.finish()?;
         Ok(outcome)
     }
@@ -269,7 +268,7 @@ impl<'a> Trials<'a> {
         let bit_radius_m = 0.5 * drilling.bit.diameter_m();
         let rock_strength_Pa = drilling.block.rock.ucs_Pa();
         BitTestSummary {
-            checks: checks::checks(&points),
+            checks: checks(&points),
             schema_version: BIT_TEST_VERSION,
             case: self.case.name.clone(),
             settings: self.case.settings.clone(),
@@ -311,4 +310,18 @@ impl<'a> Trials<'a> {
         }
         outcome
     }
+}
+
+// Checks of the points of a bit test.
+
+/// Returns the checks of all points, the most severe first.
+pub(super) fn checks(points: &[BitTestPoint]) -> Vec<Check> {
+    let tried = points.iter().map(|point| {
+        let failure = match &point.status {
+            Status::Failed(reason) => Some(reason.as_str()),
+            _ => None,
+        };
+        TriedPoint { name: &point.point, failure, outcome: point.outcome.as_ref() }
+    });
+    bit_test_checks(&tried.collect::<Vec<_>>())
 }

@@ -6,7 +6,11 @@ use wholestring_plan::calibration::{
 };
 use wholestring_results::OutlierComparison;
 
-use super::{checks, predictions::Predictions, search::Search, tables};
+use super::{
+    checks,
+    search::{Predictions, Search},
+    tables,
+};
 use crate::{error::Error, readings::Readings};
 
 /// Readings that a robust fit by the soft string does not follow; `None` if there is no such fit.

@@ -6,7 +6,7 @@ use wholestring_plan::calibration::{
     AroundRatio, Factors, HolePart, MOST_SECTIONS, Parameter, Settings, State,
 };
 
-use super::{fit::Fit, option};
+use super::option::{self, Fit};
 use crate::{
     error::Error,
     readings::{NamedCase, Readings},

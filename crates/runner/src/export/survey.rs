@@ -6,8 +6,7 @@ use wholestring_report::path_of;
 use wholestring_results::{Column, Data, Table};
 
 use super::{
-    format::Format,
-    made::{Made, one_table},
+    format::{Format, Made, one_table},
     source::Source,
 };
 use crate::error::Error;

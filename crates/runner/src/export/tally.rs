@@ -6,8 +6,7 @@ use wholestring_export::{Component, Look, tubular};
 use wholestring_results::{Column, Data, Table};
 
 use super::{
-    format::Format,
-    made::{Made, one_table},
+    format::{Format, Made, one_table},
     source::Source,
 };
 use crate::error::Error;

@@ -1,20 +1,28 @@
-//! The tables of linear vibration.
+//! The tables of linear vibration, and its page and pictures, made from the files in its folder.
 
+use std::path::Path;
+
+use wholestring_report::{MODES_PICTURES, Modes, Plot, modes_html, modes_plots};
 use wholestring_results::{
     CampbellRow, CriticalSpeed, ModeFound, ModeShapeRow, ModesRows, ModesSummary, ResponseRow,
-    ResultsError, ResultsFolder, Row as _, StabilityRow,
+    ResultsError, ResultsFolder, Row as _, StabilityRow, Table,
 };
+use wholestring_units::UnitSet;
 use wholestring_vibration::modal::{Answer, Campbell, Family, Mode, SmallMotions};
 
 use super::stability::Stability;
+use crate::{
+    page::{read_rows, table},
+    results_kind::Results,
+};
 
 /// Names of the tables, without their extensions.
-pub(super) const MODES: &str = "modes";
-pub(super) const SHAPES: &str = "mode_shapes";
-pub(super) const DIAGRAM: &str = "campbell";
-pub(super) const CRITICAL: &str = "critical_speeds";
-pub(super) const ANSWER: &str = "response";
-pub(super) const STABILITY: &str = "stability";
+const MODES: &str = "modes";
+const SHAPES: &str = "mode_shapes";
+const DIAGRAM: &str = "campbell";
+const CRITICAL: &str = "critical_speeds";
+const ANSWER: &str = "response";
+const STABILITY: &str = "stability";
 
 /// Writes the summary and all tables, also as CSV, because the page links to them.
 pub(super) fn write(
@@ -101,4 +109,39 @@ pub(super) fn response(answers: &[Answer]) -> Vec<ResponseRow> {
         component: answer.most_bent.component.to_string(),
     });
     rows.collect()
+}
+
+// `report.html` and the pictures of linear vibration, made from the files in its folder.
+
+impl Results for Modes {
+    const NOUN: &'static str = "modes";
+    const TABLE: &'static str = MODES;
+    const PICTURES: &'static [&'static str] = &MODES_PICTURES;
+    const WITH_NUMBERS: bool = true;
+
+    fn check_summary(path: &Path) -> Result<(), ResultsError> {
+        ModesSummary::read(path).map(drop)
+    }
+
+    fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
+        let summary = ModesSummary::read(&folder.join("summary.json"))?;
+        let rows = ModesRows {
+            shapes: read_rows(folder, SHAPES)?,
+            campbell: read_rows(folder, DIAGRAM)?,
+            response: read_rows(folder, ANSWER)?,
+        };
+        let stability = match &summary.torsional_stability {
+            Some(_) => table(folder, STABILITY)?,
+            None => Table::new(Vec::new()),
+        };
+        Ok(Self::new(summary, rows, &stability, units))
+    }
+
+    fn html(&self) -> Option<String> {
+        Some(modes_html(self))
+    }
+
+    fn plots(&self) -> Vec<Plot> {
+        modes_plots(self, &self.head.units)
+    }
 }

@@ -28,7 +28,7 @@ pub(super) enum Run {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) enum Ran {
     /// An event with its samples and limits.
-    Event(Box<PlanPeak>, PlanHistory, #[serde(with = "super::packed_checks")] Vec<PlanCheck>),
+    Event(Box<PlanPeak>, PlanHistory, #[serde(with = "super::checks")] Vec<PlanCheck>),
     /// Casing wear by an operation.
     Wear { operation: OperationKind, bit_depth_m: f64, found: Result<Share, String> },
 }

@@ -14,18 +14,14 @@ use wholestring_results::{
 };
 
 use super::{
-    campaign::{Taken, taken, totals},
-    counted::Counted,
+    campaign::{Counted, Taken, taken, totals},
+    checks::{self, governing},
     dynamic::{Parts, Ran, Run, runs},
     files::Tables,
-    governing::governing,
-    left_out::left_out,
     measured::{Measured, MeasuredDone, MeasuredTask},
-    mud, packed_checks,
     request::Request,
-    rows::{buckling, checks, frictions, points, unchecked},
+    rows::{self, buckling, checks, frictions, left_out, points, unchecked},
     sample::SampleSolver,
-    surface,
 };
 use crate::{
     batch::BatchOutcome,
@@ -64,7 +60,7 @@ enum PlanTask {
 enum Done {
     Points(
         Vec<PlanPoint>,
-        #[serde(with = "packed_checks")] Vec<PlanCheck>,
+        #[serde(with = "checks")] Vec<PlanCheck>,
         BTreeSet<Unchecked>,
         Vec<Taken>,
     ),
@@ -373,7 +369,7 @@ impl<'a> Work<'a> {
         let unsolved = all_measured.iter().flat_map(|measured| &measured.points);
         let unsolved = unsolved.filter(|point| point.message.is_some());
         unsolved.filter_map(|point| point.worst.as_ref()).for_each(|check| texts.record(check));
-        let hydraulics = mud::rows(case).unwrap_or_else(|why| {
+        let hydraulics = rows::rows(case).unwrap_or_else(|why| {
             unchecked.push(why);
             Vec::new()
         });
@@ -391,7 +387,7 @@ impl<'a> Work<'a> {
             buckling: weights,
             checks: worst(&relevant),
             governing: governing(&relevant),
-            surface_limits: surface::limits(self.broomstick, &plan.limits),
+            surface_limits: rows::limits(self.broomstick, &plan.limits),
             unchecked,
             counted,
             not_counted,

@@ -1,7 +1,10 @@
-//! Operations of a case whose limits are evaluated.
+//! Operations of a case whose limits are evaluated, and the checks of a reach.
 
 use wholestring::operation::{Operation, OperationKind};
 use wholestring_case::Case;
+use wholestring_judge::{DepthLimit, Judge, Reached};
+use wholestring_plan::reach::OperationReach;
+use wholestring_results::ReachCheck;
 
 use crate::error::Error;
 
@@ -62,4 +65,32 @@ pub(crate) fn operation(case: &Case, kind: OperationKind) -> Result<Operation, S
         return lacks("wob");
     }
     Ok(operation)
+}
+
+// Checks of a reach.
+
+/// Reach of each operation at each friction factor, as checks in the units of the judge.
+pub(super) fn checks(
+    answers: &[(Option<f64>, &[OperationReach])],
+    [from_m, to_m]: [f64; 2],
+    planned_m: f64,
+    rig_pushes: bool,
+    judge: &Judge,
+) -> Vec<ReachCheck> {
+    let check = |friction: Option<f64>, reach: &OperationReach| {
+        let zero = reach.curves.iter().find(|curve| curve.limit == DepthLimit::HookLoadZero);
+        let reached = Reached {
+            operation: reach.kind.words(),
+            stopped: reach.stop().map(|(depth_m, curve)| (depth_m, curve.limit)),
+            pushed_from_m: zero.filter(|zero| !zero.stops).and_then(|zero| zero.end.depth_m()),
+            rig_pushes,
+            from_m,
+            planned_m,
+            to_m,
+        };
+        ReachCheck { operation: reach.kind, friction, check: judge.reach(&reached) }
+    };
+    let each = answers.iter();
+    each.flat_map(|(friction, reaches)| reaches.iter().map(|reach| check(*friction, reach)))
+        .collect()
 }

@@ -1,11 +1,20 @@
-//! The table of the margins of a reach.
+//! The table of the margins of a reach, and its page and picture, made from the files in its
+//! folder.
+
+use std::path::Path;
 
 use wholestring::operation::OperationKind;
 use wholestring_judge::DepthLimit;
 use wholestring_plan::reach::OperationReach;
-use wholestring_results::{ReachMargin, ReachSummary, Row as _, Table};
+use wholestring_report::{Plot, REACH_PICTURES, Reach, reach_html, reach_plots};
+use wholestring_results::{ReachMargin, ReachSummary, ResultsError, Row as _, Table};
+use wholestring_units::UnitSet;
 
-use crate::picture_table::{Entry, Row, with_rows};
+use crate::{
+    page::read_rows,
+    picture_table::{Entry, Row, with_rows},
+    results_kind::Results,
+};
 
 /// Names of the tables, without their extensions.
 pub(super) const REACH: &str = "reach";
@@ -84,4 +93,30 @@ pub(super) fn picture(margins: &Table, summary: &ReachSummary) -> Table {
         rows.push(row);
     }
     with_rows(margins, &rows)
+}
+
+// `report.html` and the picture of a reach, made from the files in its folder.
+
+impl Results for Reach {
+    const NOUN: &'static str = "a reach";
+    const TABLE: &'static str = REACH;
+    const PICTURES: &'static [&'static str] = &REACH_PICTURES;
+    const WITH_NUMBERS: bool = true;
+
+    fn check_summary(path: &Path) -> Result<(), ResultsError> {
+        ReachSummary::read(path).map(drop)
+    }
+
+    fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Self, ResultsError> {
+        let summary = ReachSummary::read(&folder.join("summary.json"))?;
+        Ok(Self::new(summary, &read_rows(folder, REACH)?, units))
+    }
+
+    fn html(&self) -> Option<String> {
+        Some(reach_html(self))
+    }
+
+    fn plots(&self) -> Vec<Plot> {
+        reach_plots(self, &self.head.units)
+    }
 }

@@ -1,12 +1,12 @@
 //! Results of a run so far, and writing them to the disk.
 
-mod frames;
 mod handed_over;
 pub(crate) mod rows;
 mod run_tables;
 
 use std::borrow::Cow;
 
+use handed_over::Frames;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use wholestring::{
@@ -23,7 +23,7 @@ use wholestring_results::{
 };
 use wholestring_units::UnitSet;
 
-use self::{frames::Frames, handed_over::PART_ROWS};
+use self::handed_over::PART_ROWS;
 pub(crate) use self::{handed_over::HandedOver, run_tables::RunTables};
 use crate::{
     keep::Keep,

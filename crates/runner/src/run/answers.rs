@@ -10,7 +10,10 @@ use wholestring_case::Case;
 use wholestring_results::{Occupant, ResultsError, Summary, Table, digest};
 use wholestring_units::UnitSet;
 
-use super::{solve::solve, stop::Stop, way::Way};
+use super::{
+    solve::solve,
+    way::{Stop, Way},
+};
 use crate::{
     cancellation::CancellationToken,
     claim::Claim,

@@ -8,13 +8,15 @@ use wholestring::{
     dynamics::{Checkpoint, HoistSetPoint, ScheduleStep, SetupError, Simulation, SpeedController},
     operation::Operation,
     outcome::Solution,
+    rod::buckled_element::BuckledElement,
 };
 use wholestring_case::{Case, MAX_FRICTION, refused_set_point};
+use wholestring_judge::shorter_element;
 use wholestring_results::{Status, checkpoint_bytes, digest, read_checkpoint_bytes};
+use wholestring_units::{Dimension, UnitSet};
 
 use super::{
     answers::Answers,
-    buckled,
     own_laws::{OwnLaws, StoredLaws},
     solve::no_answer,
 };
@@ -211,7 +213,7 @@ impl Live {
             && weight_N > self.set_weight_N()
             && let Some(element) = self.simulation.buckled_element_under(weight_N)
         {
-            return Err(Error::BadInput(buckled::refused(weight_N, &element, self.case.units)));
+            return Err(Error::BadInput(refused(weight_N, &element, self.case.units)));
         }
         self.simulation.add_to_schedule(line).map_err(|fault| Error::BadInput(fault.to_string()))
     }
@@ -226,7 +228,7 @@ impl Live {
     /// string folds.
     fn check_elements(&self) -> Result<(), Error> {
         match self.simulation.buckled_element() {
-            Some(element) => Err(Error::Failed(buckled::stopped(&element, self.case.units))),
+            Some(element) => Err(Error::Failed(stopped(&element, self.case.units))),
             None => Ok(()),
         }
     }
@@ -345,4 +347,58 @@ fn named<'a>(case: &'a Case, name: Option<&str>) -> Result<&'a Operation, Error>
             })
         }
     }
+}
+
+// Sentences about elements that are too long for their compression.
+
+/// Reason why a live run stops.
+pub(super) fn stopped(element: &BuckledElement, units: UnitSet) -> String {
+    format!(
+        "{} buckles between its nodes under a compression of {}, its own buckling load is {}: the \
+         string folds there, which a real pipe does not. {}",
+        element_in_words(element, units),
+        force(element.compression_N, units),
+        force(element.own_load_N, units),
+        remedy(element, units),
+    )
+}
+
+/// Reason why a weight on bit, N, is refused.
+pub(super) fn refused(weight_N: f64, element: &BuckledElement, units: UnitSet) -> String {
+    format!(
+        "a weight on bit of {} exceeds what the mesh is made for: {} would buckle between its nodes \
+         under a compression of {}, its own buckling load is {}. {}",
+        force(weight_N, units),
+        element_in_words(element, units),
+        force(element.compression_N, units),
+        force(element.own_load_N, units),
+        remedy(element, units),
+    )
+}
+
+fn element_in_words(element: &BuckledElement, units: UnitSet) -> String {
+    let unit = Dimension::Length.unit_in(units);
+    format!(
+        "the element of {:.1} {unit} at {:.0} {unit}",
+        unit.from_si(element.length_m),
+        unit.from_si(element.md_m),
+        unit = unit.symbol,
+    )
+}
+
+fn remedy(element: &BuckledElement, units: UnitSet) -> String {
+    format!(
+        "Begin the simulation again with this weight in the operation or the schedule of the case, \
+         which the automatic mesh is chosen for, or with mesh.element_length = {:?}",
+        shorter_element(element, units)
+    )
+}
+
+/// A force in four digits for a sentence.
+fn force(force_N: f64, units: UnitSet) -> String {
+    let unit = Dimension::Force.unit_in(units);
+    let force = unit.from_si(force_N);
+    let scale = libm::pow(10.0_f64, 3.0 - libm::log10(force.abs()).floor());
+    let rounded = if scale.is_finite() { (force * scale).round() / scale } else { force };
+    format!("{rounded} {}", unit.symbol)
 }

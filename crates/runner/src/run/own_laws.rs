@@ -8,10 +8,7 @@ use wholestring::{
     operation::Operation,
 };
 
-use super::{
-    sampled_law::{BitAnswer, BitReading, SampledLaw, ShakeReading},
-    zero_order_hold::{HeldLaw, HeldShake},
-};
+use super::sampled_law::{BitAnswer, BitReading, HeldLaw, HeldShake, SampledLaw, ShakeReading};
 use crate::{cancellation::CancellationToken, error::Error};
 
 /// User laws of a live run.

@@ -1,8 +1,10 @@
 //! Laws of the bit that are sampled at a rate; a front end supplies them in any language.
 
-use std::{fmt, sync::Arc};
+use std::{f64::consts::TAU, fmt, sync::Arc};
 
-use crate::error::Error;
+use wholestring::dynamics::{BitExcitation, BitRockLaw, BitRockStep, Shake, SteadyCut};
+
+use crate::{cancellation::CancellationToken, error::Error};
 
 /// Input of a law of the bit: the state of drilling at the end of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,5 +78,138 @@ impl<I, O> SampledLaw<I, O> {
             "the rate of {} is {} Hz: expected more than zero",
             self.name, self.rate_Hz
         )))
+    }
+}
+
+// Laws that are sampled at a rate, between two samples: a law of the bit by a zero-order hold of
+// its answer per weight, an excitation by a first-order hold.
+
+/// Fraction of a period within which a time counts as its end.
+const EARLY: f64 = 1e-6;
+
+/// A law of the bit between two samples: depth of cut and torque in proportion to the weight, as in
+/// its last answer. It is not evaluated while the bit is off the rock.
+#[derive(Debug)]
+pub(super) struct HeldLaw {
+    pub(super) title: String,
+    pub(super) law: SampledLaw<BitReading, BitAnswer>,
+    /// Depth of cut, m/N, and torque, m, per weight at the start.
+    pub(super) first: [f64; 2],
+    pub(super) failed: CancellationToken,
+}
+
+impl BitRockLaw for HeldLaw {
+    fn name(&self) -> &str {
+        &self.title
+    }
+
+    /// Time, s; angle, rad; drilled, m; periods begun; depth of cut and torque per weight.
+    fn initial_state(&self) -> Vec<f64> {
+        let [depth_m_per_N, torque_m] = self.first;
+        vec![0.0, 0.0, 0.0, 1.0, depth_m_per_N, torque_m]
+    }
+
+    fn cut(&self, state: &[f64], weight_on_bit_N: f64, rotary_speed_rad_per_s: f64) -> SteadyCut {
+        let &[.., depth_m_per_N, torque_m] = state else {
+            return SteadyCut::default();
+        };
+        let depth_of_cut_m = depth_m_per_N * weight_on_bit_N;
+        SteadyCut {
+            depth_of_cut_m,
+            torque_N_m: torque_m * weight_on_bit_N,
+            rate_of_penetration_m_per_s: depth_of_cut_m * rotary_speed_rad_per_s / TAU,
+        }
+    }
+
+    fn advance(&self, state: &mut [f64], step: &BitRockStep) {
+        let [time_s, angle_rad, drilled_m, periods, depth_m_per_N, torque_m] = state else {
+            return;
+        };
+        *time_s += step.dt_s;
+        *angle_rad += step.bit_speed_rad_per_s * step.dt_s;
+        *drilled_m += step.advance_m;
+        let passed = *time_s * self.law.rate_Hz + EARLY;
+        if passed < *periods || step.weight_on_bit_N <= 0.0 || self.failed.is_cancelled() {
+            return;
+        }
+        *periods = passed.floor() + 1.0;
+        let reading = BitReading {
+            time_s: *time_s,
+            weight_on_bit_N: step.weight_on_bit_N,
+            rotary_speed_rad_per_s: step.bit_speed_rad_per_s,
+            angle_rad: *angle_rad,
+            drilled_m: *drilled_m,
+        };
+        match (self.law.ask)(&reading) {
+            Some(answer) => {
+                *depth_m_per_N = answer.depth_of_cut_m / step.weight_on_bit_N;
+                *torque_m = answer.torque_N_m / step.weight_on_bit_N;
+            }
+            None => {
+                self.failed.cancel();
+            }
+        }
+    }
+}
+
+/// An excitation between two samples: linear interpolation between its answers, evaluated one
+/// period ahead.
+#[derive(Debug)]
+pub(super) struct HeldShake {
+    pub(super) title: String,
+    pub(super) law: SampledLaw<ShakeReading, Shake>,
+    /// Front, m, and torque at the start and after the first period.
+    pub(super) first: [f64; 4],
+    pub(super) failed: CancellationToken,
+}
+
+impl BitExcitation for HeldShake {
+    fn name(&self) -> &str {
+        &self.title
+    }
+
+    /// Time, s; angle, rad; start and end of the period, s; front and torque at both.
+    fn initial_state(&self) -> Vec<f64> {
+        let period_s = 1.0 / self.law.rate_Hz;
+        [0.0, 0.0, 0.0, period_s].into_iter().chain(self.first).collect()
+    }
+
+    fn shake(&self, state: &[f64], _bit_angle_rad: f64, time_s: f64) -> Shake {
+        let &[_, _, from_s, to_s, front_m, torque, next_front_m, next_torque] = state else {
+            return Shake::default();
+        };
+        let part = (time_s - from_s) / (to_s - from_s);
+        Shake {
+            front_m: libm::fma(part, next_front_m - front_m, front_m),
+            torque: libm::fma(part, next_torque - torque, torque),
+        }
+    }
+
+    fn advance(&self, state: &mut [f64], step: &BitRockStep) {
+        let [time_s, angle_rad, from_s, to_s, front_m, torque, next_front_m, next_torque] = state
+        else {
+            return;
+        };
+        *time_s += step.dt_s;
+        *angle_rad += step.bit_speed_rad_per_s * step.dt_s;
+        let period_s = (1.0 / self.law.rate_Hz).max(step.dt_s);
+        if *time_s < *to_s - EARLY * period_s || self.failed.is_cancelled() {
+            return;
+        }
+        let next_s = *to_s + period_s;
+        let reading = ShakeReading {
+            time_s: next_s,
+            angle_rad: libm::fma(step.bit_speed_rad_per_s, next_s - *time_s, *angle_rad),
+        };
+        match (self.law.ask)(&reading) {
+            Some(shake) => {
+                (*from_s, *to_s) = (*to_s, next_s);
+                (*front_m, *torque) = (*next_front_m, *next_torque);
+                (*next_front_m, *next_torque) = (shake.front_m, shake.torque);
+            }
+            None => {
+                self.failed.cancel();
+            }
+        }
     }
 }

@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use wholestring::{
     dynamics::{
-        BitLaw, DynamicOutcome, DynamicsSettings, Effort as Planned, HoistControl, SetupError,
-        Simulation, TuningError,
+        BitLaw, DynamicOutcome, DynamicsSettings, Effort as Planned, HoistControl, MAX_TUNING_RUNS,
+        SetupError, Simulation, TunedHookLoad, TuningError, tune_hook_load,
     },
     operation::Operation,
     outcome::{ModelKind, Solution},
@@ -18,11 +18,11 @@ use wholestring_case::Case;
 use wholestring_judge::NoAnswer;
 use wholestring_results::{ResultsFolder, Status};
 
-use super::{lift::tune, stop::Stop, way::Way};
+use super::way::{Stop, Way};
 use crate::{
     checkpoint::{Keeper, RunCheckpoint, UnderWay, other_arithmetic},
     clock::Instant,
-    observer::Watch,
+    observer::{Simulating, Trial, Watch},
     pace::Pace,
     parallel::beside,
     record::{
@@ -358,6 +358,41 @@ fn unsolvable(model: &str, error: &dyn std::error::Error) -> Status {
 
 pub(super) fn no_answer(model: &str, error: &dyn std::error::Error) -> String {
     format!("the {model} has no answer: {error}")
+}
+
+// Search of the lift of a string that hangs on the hoist.
+
+/// Simulated time between two progress reports, s.
+const SHOW_INTERVAL_S: f64 = 0.2;
+
+/// Finds the lift of an operation, and its run with it.
+fn tune(
+    case: &Case,
+    operation: &Operation,
+    way: &Way<'_>,
+) -> Result<(TunedHookLoad, Simulation), TuningError> {
+    let mut report: Option<(usize, Simulating<'_>)> = None;
+    let mut shown_s = f64::NEG_INFINITY;
+    let (model, settings) = (&case.model, &case.dynamics);
+    tune_hook_load(model, operation, settings, &way.executor, |run, simulation| {
+        if report.as_ref().is_none_or(|(trial, _)| *trial != run) {
+            let trial = Trial { number: run, most: MAX_TUNING_RUNS };
+            let times = [0.0, simulation.end_time_s()];
+            // Ends the report of the previous trial.
+            report = None;
+            let name = operation.kind.name();
+            report = Some((run, way.watch.simulation(name, Some(trial), times)));
+            shown_s = f64::NEG_INFINITY;
+        }
+        if let Some((_, report)) = &report
+            && simulation.time_s() >= shown_s + SHOW_INTERVAL_S
+        {
+            shown_s = simulation.time_s();
+            let settling = settings.steady.is_some() && simulation.is_settling();
+            report.reach(simulation.time_s(), simulation.end_time_s(), settling);
+        }
+        !way.cancellation.is_cancelled()
+    })
 }
 
 #[cfg(test)]

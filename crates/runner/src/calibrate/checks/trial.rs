@@ -4,7 +4,7 @@ use wholestring_plan::calibration::{
     Asked, CalibrationError, Channel, Factors, Motion, Parameter, Predict, Settings,
 };
 
-use super::{super::predictions::Predictions, text::median};
+use super::{super::search::Predictions, text::median};
 use crate::{cancellation::CancellationToken, error::Error, observer::Silent, readings::Readings};
 
 /// Friction factors with which the strings are solved.

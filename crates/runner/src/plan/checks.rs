@@ -1,6 +1,8 @@
-//! The governing limit of each operation, in the summary and in sentences.
+//! Checks of a plan: the governing limit of each operation, and their form in the checkpoint.
 
-use wholestring_judge::{Quantity, Wording};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use wholestring::{outcome::ModelKind, well::FrictionLevel};
+use wholestring_judge::{Check, Quantity, Wording};
 use wholestring_results::{PlanCheck, PlanOperation, PlanSummary};
 use wholestring_units::UnitSet;
 
@@ -31,4 +33,35 @@ fn sentence(row: &PlanCheck, units: UnitSet) -> String {
     let depth = Wording::from(Quantity::depth(row.bit_depth_m).to_string()).in_units(units);
     let check = row.check.sentence_in(units);
     format!("{operation}, {} friction, bit at {depth}: {check}.", row.friction)
+}
+
+// Checks of a plan in its checkpoint, whose format has no names and so cannot flatten the fields
+// of a check into those of its row.
+
+/// Model, friction, operation, depth of the bit in m, and the check.
+type Row = (ModelKind, FrictionLevel, PlanOperation, f64, Check);
+
+pub(super) fn serialize<S: Serializer>(
+    checks: &[PlanCheck],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    let row = |row: &PlanCheck| -> Row {
+        let PlanCheck { model, friction, operation, bit_depth_m, check } = row.clone();
+        (model, friction, operation, bit_depth_m, check)
+    };
+    checks.iter().map(row).collect::<Vec<Row>>().serialize(serializer)
+}
+
+pub(super) fn deserialize<'de, D: Deserializer<'de>>(
+    deserializer: D,
+) -> Result<Vec<PlanCheck>, D::Error> {
+    let rows = Vec::<Row>::deserialize(deserializer)?;
+    let check = |(model, friction, operation, bit_depth_m, check)| PlanCheck {
+        model,
+        friction,
+        operation,
+        bit_depth_m,
+        check,
+    };
+    Ok(rows.into_iter().map(check).collect())
 }

@@ -1,12 +1,8 @@
 //! Readings at the surface, and the strings that they belong to.
 
-mod named_case;
-
-pub use named_case::NamedCase;
-
 use std::{borrow::Cow, path::Path};
 
-use wholestring_case::Override;
+use wholestring_case::{Case, Override, Template};
 use wholestring_judge::{CheckKind, Quantity, ReadingCheck, Rounding, Severity, Wording};
 use wholestring_plan::calibration::{Assembly, Channel, Reading};
 use wholestring_tabular::{ImportedReading, ImportedReadings, read_readings};
@@ -215,4 +211,19 @@ fn within(
         ));
     }
     Ok(depth_m)
+}
+
+// A case and the name of its file.
+
+/// A case with the name of its file, without extension.
+#[derive(Debug, Clone)]
+pub struct NamedCase<'a> {
+    /// Name of its file.
+    pub file: String,
+    /// Text of the case, which is read again with the changes of a row of readings.
+    pub template: &'a Template,
+    /// Changes of the case for all rows.
+    pub overrides: &'a [Override],
+    /// The case.
+    pub case: &'a Case,
 }
