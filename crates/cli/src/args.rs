@@ -4,10 +4,23 @@ use clap::{Parser, Subcommand};
 use clap_complete::Shell;
 
 use crate::{
-    app::AppArgs, bench::BenchArgs, bha::BhaArgs, bit_test::BitTestArgs, calibrate::CalibrateArgs,
-    catalogue::CatalogueArgs, check::CheckArgs, export::ExportArgs, import::ImportArgs,
-    modes::ModesArgs, new_case::NewArgs, plan::PlanArgs, plot::PlotArgs, reach::ReachArgs,
-    report::ReportArgs, run::RunArgs, study::StudyArgs, survey::SurveyArgs, sweep::SweepArgs,
+    app::AppArgs,
+    bench::BenchArgs,
+    bha::BhaArgs,
+    bit_test::BitTestArgs,
+    calibrate::CalibrateArgs,
+    catalogue::CatalogueArgs,
+    check::CheckArgs,
+    export::ExportArgs,
+    import::ImportArgs,
+    modes::ModesArgs,
+    new_case::NewArgs,
+    plan::PlanArgs,
+    reach::ReachArgs,
+    report::{PlotArgs, ReportArgs},
+    run::RunArgs,
+    survey::SurveyArgs,
+    sweep::{StudyArgs, SweepArgs},
 };
 
 /// Torque, drag and dynamics of a whole drill string in a deviated well.

@@ -18,8 +18,8 @@ use wholestring_runner::{
 use wholestring_units::Dimension;
 
 use crate::{
-    color::color,
     failure::Failure,
+    screen::color,
     shared_args::CaseArgs,
     terminal::{print_stderr, print_stdout},
 };

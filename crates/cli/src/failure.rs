@@ -6,7 +6,7 @@ use wholestring_case::Report;
 use wholestring_results::ResultsError;
 use wholestring_runner::{Error, FolderRefused};
 
-use crate::color::color;
+use crate::screen::color;
 
 /// Failure of a command.
 #[derive(Debug)]

@@ -8,8 +8,8 @@ use wholestring_runner::import::{self, Choices, Imported};
 
 use crate::{
     check,
-    color::color,
     failure::Failure,
+    screen::color,
     terminal::{in_shell, print_stderr, print_stdout},
 };
 

@@ -9,26 +9,21 @@ mod calibrate;
 mod catalogue;
 mod check;
 mod checks;
-mod color;
 mod comparison;
 mod conclusion;
 mod export;
 mod failure;
 mod import;
-mod interrupt;
 mod modes;
 mod new_case;
 mod plan;
-mod plot;
 mod progress;
 mod reach;
 mod report;
 mod run;
-mod screen_table;
+mod screen;
 mod shared_args;
 mod shell;
-mod speed;
-mod study;
 mod survey;
 mod sweep;
 mod terminal;
@@ -57,7 +52,7 @@ fn main() -> ExitCode {
         Command::Reach(args) => work::carry_out(&args.job(), args.page.screen()),
         Command::Study(args) => work::carry_out(&args.job(), args.batch.screen(args.strict)),
         Command::Report(args) => report::report(&args),
-        Command::Plot(args) => plot::plot(&args),
+        Command::Plot(args) => report::plot(&args),
         Command::Export(args) => export::export(&args),
         Command::Survey(args) => survey::survey(&args),
         Command::Bench(args) => bench::bench(&args),

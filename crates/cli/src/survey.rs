@@ -9,8 +9,8 @@ use wholestring_runner::survey::{self, Said};
 use wholestring_units::{Dimension, Unit, UnitSet};
 
 use crate::{
-    color::color,
     failure::Failure,
+    screen::color,
     terminal::{print_stderr, print_stdout},
 };
 

@@ -1,6 +1,11 @@
-//! Printing.
+//! The terminal: printing, and Ctrl-C.
 
-use std::io::{self, Write};
+use std::{
+    io::{self, Write},
+    process,
+};
+
+use wholestring_runner::CancellationToken;
 
 use crate::failure::Failure;
 
@@ -23,4 +28,19 @@ pub(crate) fn print_stdout(text: &str) -> Result<(), Failure> {
 /// A path quoted as a shell argument.
 pub(crate) fn in_shell(path: &str) -> String {
     if path.contains(char::is_whitespace) { format!("\"{path}\"") } else { path.to_owned() }
+}
+
+// Ctrl-C: the first requests a stop, the second exits at once.
+
+/// Handles Ctrl-C from now on. If the system does not allow a handler, Ctrl-C ends the program as
+/// usual.
+pub(crate) fn listen() -> CancellationToken {
+    let token = CancellationToken::new();
+    let cancelled = token.clone();
+    let _ = ctrlc::set_handler(move || {
+        if cancelled.cancel() {
+            process::exit(130);
+        }
+    });
+    token
 }

@@ -11,16 +11,15 @@ use wholestring_runner::{
 use wholestring_units::{Dimension, UnitSet};
 
 use crate::{
-    bha, bit_test, calibrate, checks,
-    color::{color, screen_color},
-    comparison,
+    bha, bit_test, calibrate, checks, comparison,
     conclusion::{conclude, conclude_judged, refuse, unfinished},
     failure::Failure,
-    interrupt, modes, plan,
+    modes, plan,
     progress::{BatchScreen, RunScreen},
     reach,
+    screen::{color, screen_color},
     shared_args::ScreenOptions,
-    terminal::{print_stderr, print_stdout},
+    terminal::{self, print_stderr, print_stdout},
 };
 
 /// Executes a job, and prints its results.
@@ -48,7 +47,7 @@ pub(crate) fn solve(
     screen: ScreenOptions,
 ) -> Result<JobOutcome, Failure> {
     let observer = observer(&job.work, screen);
-    let outcome = prepared.run(job.output.clone(), &*observer, &interrupt::listen())?;
+    let outcome = prepared.run(job.output.clone(), &*observer, &terminal::listen())?;
     // Its bars are removed before results are printed.
     drop(observer);
     if !screen.quiet || screen.json {

@@ -1,7 +1,5 @@
 //! `wholestring app`: the local web app, if the program was built with it.
 
-#[cfg(not(feature = "app"))]
-mod left_out;
 #[cfg(feature = "app")]
 mod serve;
 
@@ -9,8 +7,6 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-#[cfg(not(feature = "app"))]
-pub(crate) use left_out::app;
 #[cfg(feature = "app")]
 pub(crate) use serve::app;
 
@@ -25,4 +21,15 @@ pub(crate) struct AppArgs {
     /// Print the address and open no browser
     #[arg(long)]
     pub(crate) no_browser: bool,
+}
+
+/// Explains how to build the program with the app, which it was built without.
+#[cfg(not(feature = "app"))]
+pub(crate) fn app(args: &AppArgs) -> Result<(), crate::failure::Failure> {
+    let AppArgs { folder, port: _, no_browser: _ } = args;
+    Err(crate::failure::Failure::BadInput(format!(
+        "error: this program was built without the app; binaries of a release have it\n\
+         `cargo run --release --features app -- app {}` builds the program with it and starts it",
+        folder.display()
+    )))
 }

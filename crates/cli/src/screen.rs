@@ -1,4 +1,9 @@
-//! A small table for the screen.
+//! The screen: a small table, and whether text is coloured.
+
+use std::{
+    env,
+    io::{self, IsTerminal},
+};
 
 /// Space between columns.
 const GAP: usize = 2;
@@ -52,6 +57,18 @@ impl Table {
         }
         text
     }
+}
+
+// Whether text is coloured: on a terminal, unless the user has turned colours off.
+
+/// Whether diagnostics are coloured: on a terminal, unless the user has turned colours off.
+pub(crate) fn color() -> bool {
+    io::stderr().is_terminal() && env::var_os("NO_COLOR").is_none_or(|no| no.is_empty())
+}
+
+/// Whether text on standard output is coloured.
+pub(crate) fn screen_color() -> bool {
+    io::stdout().is_terminal() && env::var_os("NO_COLOR").is_none_or(|no| no.is_empty())
 }
 
 #[cfg(test)]

@@ -1,10 +1,44 @@
-//! Output of a bit test on the screen.
+//! `wholestring bit-test`: the bit alone on its rock, at every weight and every speed.
 
+use clap::Args;
 use wholestring::rock::TrialOutcome;
 use wholestring_results::BitTestSummary;
+use wholestring_runner::job::{Job, Work};
 use wholestring_units::{Dimension, UnitSet, without_trailing_zeros};
 
-use crate::screen_table::Table;
+use crate::{
+    screen::Table,
+    shared_args::{BatchArgs, CaseArgs},
+};
+
+// Arguments of `wholestring bit-test`.
+
+#[derive(Debug, Args)]
+pub(crate) struct BitTestArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+
+    /// Units on the screen [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+
+    /// Exit with status 4 if a check of the points is an error
+    #[arg(long)]
+    pub(crate) strict: bool,
+
+    #[command(flatten)]
+    pub(crate) batch: BatchArgs,
+}
+
+impl BitTestArgs {
+    /// The job of these arguments.
+    pub(crate) fn job(&self) -> Job {
+        let work = Work::BitTest { shard: self.batch.shard.clone(), csv: self.batch.csv };
+        self.batch.applied_to(Job { units: self.units, ..self.case.job(work) })
+    }
+}
+
+// Output of a bit test on the screen.
 
 /// A column: the common name of the quantity, its dimension, and its value with its error, if it
 /// has one.

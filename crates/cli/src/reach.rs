@@ -1,12 +1,22 @@
-//! Arguments of `wholestring reach`.
+//! `wholestring reach`: greatest depth of the well, and the limit that stops it.
 
 use std::{num::NonZeroUsize, path::PathBuf};
 
 use clap::Args;
 use wholestring::operation::OperationKind;
-use wholestring_runner::job::{Job, ReachOptions, Work, operation};
+use wholestring_results::ReachSummary;
+use wholestring_runner::{
+    job::{Job, ReachOptions, Work, operation},
+    reach::{answers, notes, scatter, uncertain_notes},
+};
+use wholestring_units::{Dimension, UnitSet};
 
-use crate::shared_args::{CaseArgs, PageArgs, output};
+use crate::{
+    screen::Table,
+    shared_args::{CaseArgs, PageArgs, output},
+};
+
+// Arguments of `wholestring reach`.
 
 #[derive(Debug, Args)]
 pub(crate) struct ReachArgs {
@@ -34,12 +44,12 @@ pub(crate) struct ReachArgs {
 
     /// Ignore the friction from the wall force of a helix, so that nothing locks up
     #[arg(long)]
-    pub(crate) no_helix_friction: bool,
+    no_helix_friction: bool,
 
     /// Stop at the depth where helical buckling begins; without it the buckled string goes deeper.
     /// Not applied to a vertical hole, where buckling begins early and is harmless
     #[arg(long)]
-    pub(crate) stop_at_helix: bool,
+    stop_at_helix: bool,
 
     /// Number of parallel jobs, an operation each [default: one per core]
     #[arg(short, long, value_name = "N")]
@@ -89,4 +99,59 @@ impl ReachArgs {
 
 fn friction(text: &str) -> Result<f64, String> {
     text.trim().parse().map_err(|_| "expected a friction factor, such as 0.3".to_owned())
+}
+
+// Output of a reach on the screen.
+
+/// The governing limit, each limit with its depth and margins, and warnings.
+pub(crate) fn text(summary: &ReachSummary, units: UnitSet) -> String {
+    let length = Dimension::Length.unit_in(units);
+    let depth = |depth_m: f64| format!("{:.0}", length.from_si(depth_m));
+    let mut text = format!("{}: reach\n\n", summary.case);
+    for (answer, friction) in answers(summary, units).iter().zip(&summary.frictions) {
+        let headings = [
+            "operation".to_owned(),
+            "limit".to_owned(),
+            format!("met at, {}", length.symbol),
+            format!("margin at {}, %", depth(summary.from_m)),
+            format!("at {}, %", depth(summary.to_m)),
+            format!("worst at MD, {}", length.symbol),
+        ];
+        let mut table = Table::new(answer, 2, &headings.each_ref().map(String::as_str));
+        for limit in &friction.limits {
+            let met = match limit.depth_m {
+                Some(_) if limit.already => format!("{} already", depth(summary.from_m)),
+                Some(depth_m) => depth(depth_m),
+                None if limit.margin_at_from.is_none() => "no answer: locked up".to_owned(),
+                None => format!("none to {}", depth(summary.to_m)),
+            };
+            table.row(vec![
+                limit.operation.words().to_owned(),
+                limit.title.clone(),
+                met,
+                percent(limit.margin_at_from),
+                percent(limit.margin_at_to),
+                limit.at_md_m.map_or_else(|| "–".to_owned(), depth),
+            ]);
+        }
+        text += &table.text();
+        text.push('\n');
+        for check in summary.checks.iter().filter(|check| check.friction == friction.friction) {
+            text += &format!("{}.\n", check.check.sentence_in(units));
+        }
+        text.push('\n');
+    }
+    if let Some(uncertain) = &summary.uncertain {
+        for sentence in uncertain_notes(uncertain).into_iter().chain(scatter(uncertain, units)) {
+            text += &format!("{sentence}\n");
+        }
+    }
+    for note in notes(summary, units) {
+        text += &format!("{note}\n");
+    }
+    text
+}
+
+fn percent(margin: Option<f64>) -> String {
+    margin.map_or_else(|| "locked up".to_owned(), |margin| format!("{:.1}", 100.0 * margin))
 }

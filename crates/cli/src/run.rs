@@ -1,29 +1,122 @@
-//! `wholestring run --converge`: change of the results when every element is halved.
+//! `wholestring run`: solves a case, prints one table and writes the results.
 
+use std::{num::NonZeroUsize, path::PathBuf};
+
+use clap::Args;
 use wholestring::outcome::ModelKind;
 use wholestring_results::{OperationSummary, Summary};
 use wholestring_runner::{
     ComparedColumn, Comparison,
-    job::{Job, JobOutcome, PreparedJob},
+    job::{Job, JobOutcome, PreparedJob, Work},
 };
 use wholestring_units::UnitSet;
 
 use crate::{
     conclusion::unfinished,
     failure::{Failure, failed},
-    interrupt,
     progress::RunScreen,
-    screen_table::Table,
-    shared_args::ScreenOptions,
-    terminal::print_stdout,
-    work::prepare,
+    screen::Table,
+    shared_args::{CaseArgs, CheckpointArgs, ScreenOptions, output},
+    terminal::{self, print_stdout},
+    work::{carry_out, end, prepare, solve},
 };
+
+pub(crate) fn run(args: &RunArgs) -> Result<(), Failure> {
+    let (job, screen) = (args.job(), args.screen());
+    if !args.converge {
+        return carry_out(&job, screen);
+    }
+    let prepared = prepare(&job, screen.quiet)?;
+    check_convergence(&prepared)?;
+    let base = solve(&job, &prepared, screen)?;
+    halve(&job, &prepared, &base, screen)?;
+    end(&job, base, screen)
+}
+
+// Arguments of `wholestring run`.
+
+#[derive(Debug, Args)]
+pub(crate) struct RunArgs {
+    #[command(flatten)]
+    pub(crate) case: CaseArgs,
+
+    // Not a doc comment, which would read `<case name>` as HTML.
+    #[arg(
+        short,
+        long,
+        value_name = "DIR",
+        help = "Folder for the results [default: out/<case name>]"
+    )]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Continue with the run in this folder from its checkpoint
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["output", "overwrite"])]
+    pub(crate) resume: Option<PathBuf>,
+
+    /// Overwrite existing results in the folder: another case or an unfinished run
+    #[arg(long)]
+    pub(crate) overwrite: bool,
+
+    #[command(flatten)]
+    pub(crate) checkpoint: CheckpointArgs,
+
+    /// Run the case again with elements of half the length, in the subfolder `halved`, and print
+    /// the differences
+    #[arg(long, conflicts_with_all = ["resume", "json"])]
+    converge: bool,
+
+    /// Number of threads for the solid rock under the bit; results do not depend on it [default:
+    /// one per core]
+    #[arg(short, long, value_name = "N")]
+    pub(crate) jobs: Option<NonZeroUsize>,
+
+    /// Units on the screen [default: the case's]
+    #[arg(long, value_name = "si|metric|field")]
+    pub(crate) units: Option<UnitSet>,
+
+    /// Exit with status 4 if a check of the results is an error
+    #[arg(long)]
+    pub(crate) strict: bool,
+
+    /// Also write the tables as CSV
+    #[arg(long)]
+    pub(crate) csv: bool,
+
+    /// Print the summary as JSON in place of the table
+    #[arg(long)]
+    pub(crate) json: bool,
+
+    /// Print nothing but errors
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+impl RunArgs {
+    /// The job of these arguments.
+    pub(crate) fn job(&self) -> Job {
+        let folder = self.resume.as_ref().or(self.output.as_ref());
+        Job {
+            output: output(folder, self.resume.is_some(), self.overwrite),
+            units: self.units,
+            jobs: self.jobs,
+            checkpoint: self.checkpoint.every.clone(),
+            ..self.case.job(Work::Run { models: Vec::new(), csv: self.csv })
+        }
+    }
+
+    /// Options of the screen.
+    pub(crate) fn screen(&self) -> ScreenOptions {
+        ScreenOptions { quiet: self.quiet, strict: self.strict, json: self.json }
+    }
+}
+
+// `wholestring run --converge`: change of the results when every element is halved.
 
 /// Folder of the finer run, within that of the run.
 const HALVED: &str = "halved";
 
 /// Refuses a case that has no elements to halve.
-pub(super) fn check(prepared: &PreparedJob) -> Result<(), Failure> {
+fn check_convergence(prepared: &PreparedJob) -> Result<(), Failure> {
     let mut models = prepared.case().into_iter().flat_map(|case| &case.models);
     if models.any(|model| *model != ModelKind::Soft) {
         return Ok(());
@@ -36,7 +129,7 @@ pub(super) fn check(prepared: &PreparedJob) -> Result<(), Failure> {
 }
 
 /// Repeats a run that is complete, with every element halved, and prints both side by side.
-pub(super) fn halve(
+fn halve(
     job: &Job,
     prepared: &PreparedJob,
     base: &JobOutcome,
@@ -52,7 +145,7 @@ pub(super) fn halve(
     finer.output.folder = Some(base.folder.join(HALVED));
     let solved = prepare(&finer, true)?;
     let observer = RunScreen::new(screen.quiet, true);
-    let outcome = solved.run(finer.output.clone(), &observer, &interrupt::listen())?;
+    let outcome = solved.run(finer.output.clone(), &observer, &terminal::listen())?;
     drop(observer);
     if let (JobOutcome::Run(halved), false) = (&outcome, screen.quiet)
         && halved.stopped.is_none()
