@@ -9,7 +9,7 @@ use axum::{
     routing::get,
 };
 
-use crate::{app::App, fingerprint::fingerprint};
+use crate::{app::App, workspace::fingerprint};
 
 /// The files of `assets/`, by name: `build.rs` lists them.
 const FILES: &[(&str, &[u8])] = include!(concat!(env!("OUT_DIR"), "/assets.rs"));

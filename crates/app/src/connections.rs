@@ -1,4 +1,5 @@
-//! Connections: a limited number at once, each with limits on the size and the time of its head.
+//! Connections: a limited number at once, each with limits on the size and the time of its request,
+//! until the server is asked to stop.
 
 use std::{convert::Infallible, sync::Arc, time::Duration};
 
@@ -17,7 +18,7 @@ use hyper::{
 use hyper_util::rt::{TokioIo, TokioTimer};
 use tokio::{
     net::{TcpListener, TcpStream},
-    sync::Semaphore,
+    sync::{Semaphore, watch},
     time::{sleep, timeout},
 };
 use tower::ServiceExt;
@@ -26,7 +27,6 @@ use crate::{
     api::error::ApiError,
     guard::{self, Guard},
     limits::Limits,
-    stop::Stop,
 };
 
 /// The services on a port.
@@ -109,7 +109,7 @@ impl Connections {
                 }
             }
         };
-        guard::headers::put(response, host.as_ref())
+        guard::put_headers(response, host.as_ref())
     }
 
     /// Routes an admitted request, after a permit if its body is large.
@@ -136,5 +136,29 @@ impl Connections {
     fn too_late(&self) -> Response {
         let message = format!("no answer in {} s", self.limits.request_time.as_secs());
         ApiError::new(StatusCode::SERVICE_UNAVAILABLE, "timeout", message).into_response()
+    }
+}
+
+// A request to stop the server.
+
+/// Stops a server. Its clones stop the same server, from any thread.
+#[derive(Debug, Clone)]
+pub struct Stop(Arc<watch::Sender<bool>>);
+
+impl Stop {
+    pub(crate) fn new() -> Self {
+        Self(Arc::new(watch::Sender::new(false)))
+    }
+
+    /// Requests the stop, and returns whether it had been requested before.
+    pub fn stop(&self) -> bool {
+        self.0.send_replace(true)
+    }
+
+    /// Waits for a request to stop.
+    pub(crate) async fn requested(&self) {
+        let mut receiver = self.0.subscribe();
+        // The sender is owned here, so that it cannot be closed.
+        let _ = receiver.wait_for(|is_requested| *is_requested).await;
     }
 }

@@ -13,7 +13,6 @@ mod api;
 mod app;
 mod assets;
 mod connections;
-mod fingerprint;
 mod guard;
 mod import;
 mod jobs;
@@ -21,8 +20,7 @@ mod limits;
 mod live;
 mod results;
 mod server;
-mod stop;
 mod workspace;
 
+pub use connections::Stop;
 pub use server::{Options, Server, ServerError};
-pub use stop::Stop;

@@ -9,10 +9,9 @@ use std::{
 use crate::{
     api,
     app::App,
-    connections::Connections,
+    connections::{Connections, Stop},
     guard::Guard,
     limits::Limits,
-    stop::Stop,
     workspace::{Workspace, WorkspaceError},
 };
 

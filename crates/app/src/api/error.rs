@@ -1,12 +1,14 @@
-//! Error responses.
+//! Error responses, and the JSON bodies and the work outside the threads of the server that end in
+//! them.
 
 use std::fmt::Display;
 
 use axum::{
+    extract::{FromRequest, Request, rejection::JsonRejection},
     http::StatusCode,
     response::{IntoResponse, Response},
 };
-use serde::Serialize;
+use serde::{Serialize, de::DeserializeOwned};
 use utoipa::ToSchema;
 use wholestring_case::Report;
 use wholestring_screens::{
@@ -41,7 +43,7 @@ impl ApiError {
     }
 
     /// The present contents differ from those that the client has read.
-    pub(crate) fn conflict(message: impl Into<String>) -> Self {
+    fn conflict(message: impl Into<String>) -> Self {
         Self::new(StatusCode::CONFLICT, "conflict", message)
     }
 
@@ -100,5 +102,53 @@ impl From<Report> for ApiError {
 impl IntoResponse for ApiError {
     fn into_response(self) -> Response {
         (self.status, axum::Json(&self)).into_response()
+    }
+}
+
+// JSON bodies.
+
+/// A body of JSON. As an argument, invalid JSON is answered as an [`ApiError`].
+#[derive(Debug)]
+pub(crate) struct Json<T>(pub(crate) T);
+
+impl<S: Send + Sync, T: DeserializeOwned> FromRequest<S> for Json<T> {
+    type Rejection = ApiError;
+
+    async fn from_request(request: Request, state: &S) -> Result<Self, ApiError> {
+        match axum::Json::from_request(request, state).await {
+            Ok(axum::Json(value)) => Ok(Self(value)),
+            Err(rejection) => Err(refused(&rejection)),
+        }
+    }
+}
+
+fn refused(rejection: &JsonRejection) -> ApiError {
+    let kind = match rejection {
+        JsonRejection::JsonDataError(_) | JsonRejection::JsonSyntaxError(_) => "bad_json",
+        JsonRejection::MissingJsonContentType(_) => "not_json",
+        JsonRejection::BytesRejection(_) => "bad_body",
+        _ => "bad_request",
+    };
+    ApiError::new(rejection.status(), kind, rejection.body_text())
+}
+
+impl<T: Serialize> IntoResponse for Json<T> {
+    fn into_response(self) -> Response {
+        axum::Json(self.0).into_response()
+    }
+}
+
+// Work that uses the processor or waits for the disk, outside the threads of the server.
+
+/// Runs the work on a thread of its own. After a panic, the response is an error and the server
+/// continues.
+pub(crate) async fn blocking<T: Send + 'static>(
+    work: impl FnOnce() -> Result<T, ApiError> + Send + 'static,
+) -> Result<T, ApiError> {
+    match tokio::task::spawn_blocking(work).await {
+        Ok(done) => done,
+        Err(_) => {
+            Err(ApiError::failed("internal error of the program; the request was not carried out"))
+        }
     }
 }

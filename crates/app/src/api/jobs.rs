@@ -1,4 +1,4 @@
-//! Jobs started from the page.
+//! Jobs started from the page, and the studies and readings that they use.
 
 use std::{convert::Infallible, time::Duration};
 
@@ -17,7 +17,7 @@ use super::{Json, blocking, error::ApiError};
 use crate::{
     app::App,
     jobs::{Job, JobRequest, Progress, State as JobState},
-    workspace::Workspace,
+    workspace::{OtherFile, Workspace},
 };
 
 /// The requests of this module.
@@ -28,6 +28,8 @@ pub(crate) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(stop))
         .routes(routes!(resume))
         .routes(routes!(events))
+        .routes(routes!(studies))
+        .routes(routes!(readings))
 }
 
 /// A job with its progress.
@@ -205,4 +207,35 @@ async fn events(
     })
     .await?;
     Ok(Sse::new(stream::unfold(follower, Follower::next)).keep_alive(KeepAlive::default()))
+}
+
+// Studies and files of readings.
+
+/// A file of the folder.
+#[derive(Debug, Serialize, ToSchema)]
+pub(crate) struct FileEntry {
+    /// Identifier in requests.
+    id: String,
+    /// Path within the folder, for display.
+    path: String,
+}
+
+impl From<OtherFile> for FileEntry {
+    fn from(OtherFile { id, shown, .. }: OtherFile) -> Self {
+        Self { id, path: shown }
+    }
+}
+
+/// The study files of the folder.
+#[utoipa::path(get, path = "/api/studies", responses((status = 200, body = Vec<FileEntry>)))]
+async fn studies(State(app): State<App>) -> Result<Json<Vec<FileEntry>>, ApiError> {
+    blocking(move || Ok(Json(app.workspace.studies().into_iter().map(FileEntry::from).collect())))
+        .await
+}
+
+/// Files of the folder that may hold readings: text and workbooks.
+#[utoipa::path(get, path = "/api/readings", responses((status = 200, body = Vec<FileEntry>)))]
+async fn readings(State(app): State<App>) -> Result<Json<Vec<FileEntry>>, ApiError> {
+    blocking(move || Ok(Json(app.workspace.readings().into_iter().map(FileEntry::from).collect())))
+        .await
 }

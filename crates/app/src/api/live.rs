@@ -1,4 +1,4 @@
-//! Live strings: the driller's seat.
+//! Live strings: the driller's seat, and strings saved in the folder.
 
 use std::sync::Arc;
 
@@ -11,12 +11,12 @@ use utoipa::ToSchema;
 use utoipa_axum::{router::OpenApiRouter, routes};
 use wholestring_case::{Case, parse};
 use wholestring_screens::live::{
-    At, Back, Beginning, Layout, LiveEntry, LiveId, NewString, RecordedEvent, Scheduled, Start,
-    TextOfCase, schedule as scheduled,
+    At, Back, Beginning, KeptEntry, Layout, LiveEntry, LiveId, NewString, RecordedEvent, Scheduled,
+    Start, TextOfCase, schedule as scheduled,
 };
 
 use super::{Json, blocking, error::ApiError};
-use crate::{app::App, live::kept};
+use crate::{app::App, live};
 
 /// The requests of this module.
 pub(crate) fn routes() -> OpenApiRouter<App> {
@@ -28,6 +28,8 @@ pub(crate) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(keep))
         .routes(routes!(recording))
         .routes(routes!(schedule))
+        .routes(routes!(kept))
+        .routes(routes!(go_on, remove))
 }
 
 /// The live strings, and those that have ended recently.
@@ -42,11 +44,7 @@ async fn list(State(app): State<App>) -> Json<Vec<LiveEntry>> {
 }
 
 /// Parses the case of a text.
-pub(super) fn case_of(
-    app: &App,
-    id: &str,
-    text: Option<String>,
-) -> Result<(String, Case), ApiError> {
+fn case_of(app: &App, id: &str, text: Option<String>) -> Result<(String, Case), ApiError> {
     let file = app.workspace.case(id)?;
     let text = match text {
         Some(text) => text,
@@ -177,7 +175,7 @@ async fn keep(
 ) -> Result<Json<KeptName>, ApiError> {
     let string = app.live.string(&id)?;
     let moment = string.kept_at(at.checkpoint).await?;
-    blocking(move || Ok(Json(KeptName { name: kept::keep(&moment, &app.workspace)? }))).await
+    blocking(move || Ok(Json(KeptName { name: live::keep_string(&moment, &app.workspace)? }))).await
 }
 
 /// The set points so far, with their times.
@@ -214,6 +212,55 @@ async fn schedule(
         let file = app.workspace.case(&string.layout.case)?;
         let beside = app.workspace.beside(&file);
         Ok(Json(scheduled(&text, &string.events(), &file.shown, &beside)?))
+    })
+    .await
+}
+
+// Live strings saved in the folder.
+
+/// The saved strings, the latest first.
+#[utoipa::path(
+    get,
+    path = "/api/kept-strings",
+    operation_id = "list",
+    responses((status = 200, body = Vec<KeptEntry>))
+)]
+async fn kept(State(app): State<App>) -> Result<Json<Vec<KeptEntry>>, ApiError> {
+    blocking(move || Ok(Json(live::kept_strings(&app.workspace)))).await
+}
+
+/// Continues a saved string as a live string, which is initially paused.
+#[utoipa::path(
+    post,
+    path = "/api/kept-strings/{name}",
+    responses(
+        (status = 200, body = LiveId),
+        (status = 404, body = ApiError),
+        (status = 422, body = ApiError),
+        (status = 429, body = ApiError)
+    )
+)]
+async fn go_on(State(app): State<App>, Path(name): Path<String>) -> Result<Json<LiveId>, ApiError> {
+    blocking(move || {
+        let moment = live::kept_string(&app.workspace, &name)?;
+        let (text, case) = case_of(&app, &moment.case_id, Some(moment.text))?;
+        let start = Start::At { bytes: Arc::new(moment.checkpoint), events: moment.events };
+        let from = Beginning { case_id: moment.case_id, text, case: Arc::new(case), start };
+        Ok(Json(LiveId { id: app.live.begin(from)? }))
+    })
+    .await
+}
+
+/// Removes a saved string.
+#[utoipa::path(
+    delete,
+    path = "/api/kept-strings/{name}",
+    responses((status = 204), (status = 404, body = ApiError))
+)]
+async fn remove(State(app): State<App>, Path(name): Path<String>) -> Result<StatusCode, ApiError> {
+    blocking(move || {
+        app.workspace.remove_kept(&name)?;
+        Ok(StatusCode::NO_CONTENT)
     })
     .await
 }

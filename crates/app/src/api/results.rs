@@ -1,4 +1,4 @@
-//! Results in the folder.
+//! Results in the folder, one by one and side by side.
 
 use std::{
     fs::{self, File},
@@ -7,19 +7,20 @@ use std::{
 
 use axum::{
     body::{Body, Bytes},
-    extract::{Path, State},
+    extract::{Path, Query, State},
     http::{HeaderValue, StatusCode, header},
     response::{IntoResponse, Response},
 };
 use futures_util::stream;
-use serde::Serialize;
-use utoipa::ToSchema;
+use serde::{Deserialize, Serialize};
+use utoipa::{IntoParams, ToSchema};
 use utoipa_axum::{router::OpenApiRouter, routes};
+use wholestring_units::UnitSet;
 
 use super::{Json, blocking, error::ApiError};
 use crate::{
     app::App,
-    results::{self, Found, ResultsEntry},
+    results::{self, Compared, Found, ResultsEntry, compare},
     workspace::{ResultsFile, ResultsPlace},
 };
 
@@ -30,6 +31,7 @@ pub(crate) fn routes() -> OpenApiRouter<App> {
         .routes(routes!(of))
         .routes(routes!(file))
         .routes(routes!(page))
+        .routes(routes!(compared))
 }
 
 /// Results with their files.
@@ -201,6 +203,55 @@ async fn page(
             (header::CONTENT_SECURITY_POLICY, results::POLICY),
         ];
         Ok((headers, results::page(html)).into_response())
+    })
+    .await
+}
+
+// Results side by side.
+
+/// Maximum number of compared results.
+const MOST: usize = 6;
+
+/// Parameters of a comparison.
+#[derive(Debug, Deserialize, IntoParams)]
+#[serde(deny_unknown_fields)]
+#[into_params(parameter_in = Query)]
+pub(crate) struct Asked {
+    /// Ids of results, separated by commas: two to six.
+    ids: String,
+    /// The units: `si`, `metric` or `field`.
+    #[serde(default)]
+    units: Option<String>,
+}
+
+/// Comparison of two to six results: differing inputs, numbers, and curves against depth.
+#[utoipa::path(
+    get,
+    path = "/api/compare",
+    params(Asked),
+    responses(
+        (status = 200, body = Compared),
+        (status = 404, body = ApiError),
+        (status = 422, body = ApiError)
+    )
+)]
+async fn compared(
+    State(app): State<App>,
+    Query(query): Query<Asked>,
+) -> Result<Json<Compared>, ApiError> {
+    blocking(move || {
+        let ids: Vec<&str> = query.ids.split(',').filter(|id| !id.is_empty()).collect();
+        if !(2..=MOST).contains(&ids.len()) {
+            let count = ids.len();
+            return Err(ApiError::bad_input(format!(
+                "two to {MOST} results are compared, not {count}"
+            )));
+        }
+        let units = query.units.as_deref().unwrap_or("si").parse::<UnitSet>();
+        let units = units.map_err(|error| ApiError::bad_input(error.to_string()))?;
+        let places = ids.into_iter().map(|id| app.workspace.results_of(id));
+        let places: Vec<_> = places.collect::<Result<_, _>>()?;
+        Ok(Json(compare(&places, units)))
     })
     .await
 }

@@ -4,16 +4,12 @@
 //! A job is identified by its id in `.wholestring/jobs` of the folder, so that a restarted server
 //! finds the jobs of its predecessor. Its results are in the folder that the command line uses.
 
-mod ended;
-mod error;
 mod job;
 mod prepared;
 mod progress;
 mod queue;
-mod request;
 
-pub(crate) use error::JobError;
 pub(crate) use job::{Job, State};
+pub(crate) use prepared::{JobError, JobRequest};
 pub(crate) use progress::Progress;
 pub(crate) use queue::Jobs;
-pub(crate) use request::JobRequest;

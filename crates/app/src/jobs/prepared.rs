@@ -1,16 +1,21 @@
-//! The inputs of a job, read at the time of its request, so that later changes of the files do not
-//! affect it.
+//! The request of a job, and its inputs, read at the time of its request, so that later changes of
+//! the files do not affect it.
 
-use std::{cell::RefCell, path::Path};
+use std::{
+    cell::RefCell,
+    collections::BTreeMap,
+    path::{Path, PathBuf},
+};
 
-use wholestring_case::Template;
+use serde::{Deserialize, Serialize};
+use utoipa::ToSchema;
+use wholestring_case::{Report, Template};
 use wholestring_runner::{
-    Error,
-    job::{CaseInput, DataInput, JobFiles, PreparedJob},
+    Error, Existing,
+    job::{CaseInput, DataInput, Job, JobFiles, PreparedJob, Work},
     study::{self, Study},
 };
 
-use super::{error::JobError, request::JobRequest};
 use crate::workspace::{OtherFile, Workspace, WorkspaceError};
 
 /// The inputs of a job.
@@ -96,5 +101,74 @@ impl JobFiles for InFolder<'_> {
         let bytes = wholestring_case::read_file(&path).map_err(unread)?;
         let files = self.workspace.own_beside(&path);
         Ok(Template::with_files(name, &String::from_utf8_lossy(&bytes), files))
+    }
+}
+
+// The request of a job: a command of the program on a saved case.
+
+/// A request to run a command of the program on a saved case. The files that the command reads are
+/// identified as in the lists of the folder.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct JobRequest {
+    /// The id of the case; none for a study, which names its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(crate) case: Option<String>,
+    /// The command.
+    pub(crate) work: Work,
+    /// Values by key, as in `--set KEY=VALUE`.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub(crate) set: BTreeMap<String, String>,
+    /// Treatment of existing files in the results folder.
+    #[serde(default)]
+    pub(crate) if_there: Existing,
+}
+
+impl JobRequest {
+    /// The job of the runner; its destination is chosen when it starts.
+    ///
+    /// # Errors
+    /// A change without a key or a value.
+    pub(super) fn job(&self) -> Result<Job, JobError> {
+        let set = self.set.iter().map(|(key, value)| format!("{key}={value}").parse());
+        let set = set.collect::<Result<_, wholestring_case::OverrideError>>();
+        let set = set.map_err(|error| JobError::BadInput(error.to_string()))?;
+        Ok(Job { set, ..Job::new(self.case.as_ref().map(PathBuf::from), self.work.clone()) })
+    }
+}
+
+// Reasons why work is refused.
+
+/// Reason why work is refused.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum JobError {
+    /// The case, or the study, is invalid.
+    #[error("the case is not valid")]
+    Unsound(Report),
+    /// The request is invalid.
+    #[error("{0}")]
+    BadInput(String),
+    /// The request is not possible at present.
+    #[error("{0}")]
+    Conflict(String),
+    /// The folder refuses.
+    #[error(transparent)]
+    Workspace(#[from] WorkspaceError),
+}
+
+impl From<Report> for JobError {
+    fn from(report: Report) -> Self {
+        Self::Unsound(report)
+    }
+}
+
+impl From<Error> for JobError {
+    fn from(error: Error) -> Self {
+        match error {
+            Error::Unsound(mut unsound) if unsound.reports.len() == 1 => {
+                Self::Unsound(unsound.reports.remove(0))
+            }
+            error => Self::BadInput(error.to_string()),
+        }
     }
 }

@@ -13,12 +13,9 @@ use tokio::sync::watch;
 use wholestring_runner::{CancellationToken, Existing, Output};
 
 use super::{
-    ended::Ended,
-    error::JobError,
-    job::{Job, State},
-    prepared::Prepared,
+    job::{Ended, Job, State},
+    prepared::{JobError, JobRequest, Prepared},
     progress::{Progress, Watcher},
-    request::JobRequest,
 };
 use crate::workspace::{Workspace, WorkspaceError, millis};
 

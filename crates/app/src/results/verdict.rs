@@ -9,7 +9,7 @@ use wholestring_judge::Overall;
 use wholestring_results::checks_of;
 use wholestring_screens::words::Severity;
 
-use super::{ResultsEntry, checks::summary};
+use super::{ResultsEntry, entry::summary};
 use crate::workspace::Workspace;
 
 /// Parts of the settings that change the answer of a case; models, depths of a plan, records and

@@ -1,8 +1,18 @@
-//! Files that a job uses in addition to a case: studies, and readings at the surface.
+//! Files other than cases: those that a case names, and those that a job uses in addition.
 
-use std::{fs, io, path::PathBuf};
+use std::{
+    collections::BTreeMap,
+    fs, io,
+    path::{Path, PathBuf},
+    sync::{Mutex, PoisonError},
+};
 
-use super::{case_file::id_of, error::WorkspaceError, find::is_toml, folder::Workspace};
+use wholestring_case::{Files, read_file};
+
+use super::{
+    case_file::{CaseFile, id_of, is_toml},
+    folder::{Workspace, WorkspaceError, inside},
+};
 
 /// Maximum number of files listed.
 const FILES: usize = 2000;
@@ -87,4 +97,58 @@ fn has_sweep(text: &str) -> bool {
     let lines = text.lines().map(str::trim_start);
     let mut headings = lines.filter_map(|line| line.strip_prefix("[["));
     headings.any(|heading| heading.trim_start().starts_with("sweep"))
+}
+
+// Files that a case names, read only inside the folder.
+
+/// Files that a case names, from its own folder; none from outside the workspace.
+#[derive(Debug)]
+pub(crate) struct Beside<'a> {
+    workspace: &'a Workspace,
+    /// The folder of the case.
+    folder: PathBuf,
+    read: Mutex<BTreeMap<String, Vec<u8>>>,
+}
+
+impl Beside<'_> {
+    /// The files that were read, by their names in the case.
+    pub(crate) fn into_files(self) -> BTreeMap<String, Vec<u8>> {
+        self.read.into_inner().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Files for Beside<'_> {
+    fn read(&self, name: &str) -> io::Result<Vec<u8>> {
+        let bytes = read_file(&self.workspace.inside(&self.folder.join(name))?)?;
+        let mut read = self.read.lock().unwrap_or_else(PoisonError::into_inner);
+        read.insert(name.to_owned(), bytes.clone());
+        Ok(bytes)
+    }
+}
+
+/// The same with shared ownership, because a job reads the files of its case when it needs them.
+#[derive(Debug)]
+pub(crate) struct OwnBeside {
+    root: PathBuf,
+    folder: PathBuf,
+}
+
+impl Files for OwnBeside {
+    fn read(&self, name: &str) -> io::Result<Vec<u8>> {
+        read_file(&inside(&self.root, &self.folder.join(name))?)
+    }
+}
+
+impl Workspace {
+    /// The files in the folder of a file, with shared ownership.
+    pub(crate) fn own_beside(&self, file: &Path) -> OwnBeside {
+        let folder = file.parent().unwrap_or(self.root()).to_owned();
+        OwnBeside { root: self.root().to_owned(), folder }
+    }
+
+    /// The files in the folder of a case.
+    pub(crate) fn beside(&self, case: &CaseFile) -> Beside<'_> {
+        let folder = case.path.parent().unwrap_or(self.root()).to_owned();
+        Beside { workspace: self, folder, read: Mutex::default() }
+    }
 }

@@ -1,12 +1,15 @@
-//! Internal files of the app in the folder: `.wholestring`.
+//! Internal files of the app in the folder, `.wholestring`, and atomic writing of files.
 
 use std::{
     fs::{self, File},
-    io,
-    path::PathBuf,
+    io::{self, Write},
+    path::{Path, PathBuf},
 };
 
-use super::{error::WorkspaceError, folder::Workspace};
+use sha1::{Digest, Sha1};
+use tempfile::NamedTempFile;
+
+use super::folder::{Workspace, WorkspaceError};
 
 /// The internal folder.
 const OWN: &str = ".wholestring";
@@ -45,4 +48,45 @@ impl Workspace {
         }
         Ok(folder)
     }
+}
+
+// Atomic writing of files.
+
+/// Creates or replaces a file.
+pub(super) fn replace_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let written = written_beside(path, bytes)?;
+    if let Ok(about) = fs::metadata(path) {
+        written.as_file().set_permissions(about.permissions())?;
+    }
+    written.persist(path)?;
+    Ok(())
+}
+
+/// Creates a new file.
+///
+/// # Errors
+/// `AlreadyExists` if the file exists, and errors of the system.
+pub(super) fn create_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    written_beside(path, bytes)?.persist_noclobber(path)?;
+    Ok(())
+}
+
+/// A temporary file with these bytes in the folder of another file, deleted unless it is renamed.
+fn written_beside(path: &Path, bytes: &[u8]) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".wholestring-");
+    // The permissions of files made by the user's own programs, not those of a private file.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let mut file = builder.tempfile_in(path.parent().unwrap_or(Path::new(".")))?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    Ok(file)
+}
+
+// A short identifier of bytes: equal for equal bytes, on every machine.
+
+/// Sixteen hexadecimal digits, which distinguish contents but are not cryptographic.
+pub(crate) fn fingerprint(bytes: &[u8]) -> String {
+    Sha1::digest(bytes).iter().take(8).map(|byte| format!("{byte:02x}")).collect()
 }

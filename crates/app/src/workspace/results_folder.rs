@@ -5,7 +5,10 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::{case_file::id_of, error::WorkspaceError, folder::Workspace};
+use super::{
+    case_file::id_of,
+    folder::{Workspace, WorkspaceError},
+};
 
 /// Maximum depth of folders within a results folder: study, sweep, case, plots.
 const DEPTH: usize = 4;

@@ -1,4 +1,7 @@
-//! The engine room: all live strings, a few at a time.
+//! Live strings: one thread for each, which advances it.
+//!
+//! The strings themselves are in `wholestring_screens::live`; [`EngineRoom`] owns all of them, a
+//! few at a time, and saves those to be continued in the folder.
 
 use std::{
     collections::VecDeque,
@@ -6,14 +9,19 @@ use std::{
     panic::{AssertUnwindSafe, catch_unwind},
     sync::{Arc, Mutex, MutexGuard, PoisonError},
     thread::{self, JoinHandle},
+    time::Duration,
 };
 
 use wholestring_screens::live::{
-    Beginning, End, Engine, Keeps, KeptString, LiveError, LiveString, Status,
+    Beginning, End, Engine, Keeps, KeptEntry, KeptString, LiveError, LiveString, Status,
 };
 
-use super::{kept, thread::go_on};
-use crate::{limits::Limits, workspace::Workspace};
+use crate::{
+    limits::Limits,
+    workspace::{KeptFile, Workspace},
+};
+
+// The engine room: all live strings, a few at a time.
 
 fn held<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     // The state behind these locks is consistent between any two lines.
@@ -160,7 +168,7 @@ fn ended(strings: &Mutex<Strings>, workspace: &Workspace, string: &LiveString, e
         Some(End { mut sentence, checkpoint }) => {
             if let Some(checkpoint) = checkpoint {
                 let whole = KeptString { checkpoint, ..string.as_kept() };
-                if let Err(error) = kept::keep(&whole, workspace) {
+                if let Err(error) = keep_string(&whole, workspace) {
                     sentence = format!("{sentence} ({error})");
                 }
             }
@@ -181,12 +189,73 @@ fn ended(strings: &Mutex<Strings>, workspace: &Workspace, string: &LiveString, e
     strings.ended.truncate(MOST_ENDED);
 }
 
+// The thread that advances a live string.
+
+/// Advances the string until it is stopped, or has had no viewer for this time.
+fn go_on(mut engine: Engine, idle: Duration) -> End {
+    let string = engine.string();
+    let mut wait = Duration::ZERO;
+    loop {
+        let mut requests = string.wanted_within(wait);
+        if let Some(end) = requests.end.take() {
+            return engine.end(end.sentence, end.keeps);
+        }
+        wait = engine.turn(requests);
+        if string.unseen() > idle {
+            let minutes = idle.as_secs() / 60;
+            let sentence = format!(
+                "without a viewer for {minutes} min, this string was ended; it is saved and can be \
+                 continued"
+            );
+            return engine.end(sentence, true);
+        }
+    }
+}
+
+// Strings that are saved in the workspace, to be continued.
+
+/// Saves a string in the folder, and returns its identifier in requests.
+///
+/// # Errors
+/// Errors of the system.
+pub(crate) fn keep_string(string: &KeptString, workspace: &Workspace) -> Result<String, LiveError> {
+    let failed = |error: &dyn std::fmt::Display| LiveError::Failed(error.to_string());
+    let bytes = string.bytes().map_err(|error| failed(&error))?;
+    workspace.keep(&bytes).map_err(|error| failed(&error))
+}
+
+/// The saved strings of the folder, the latest first; damaged files are skipped.
+pub(crate) fn kept_strings(workspace: &Workspace) -> Vec<KeptEntry> {
+    let entry = |file: KeptFile| {
+        let string = KeptString::of_bytes(&file.read().ok()?)?;
+        Some(KeptEntry {
+            name: file.name,
+            case: string.case_id,
+            title: string.name,
+            operation: string.operation,
+            time_s: string.time_s,
+            modified_ms: file.modified_ms,
+        })
+    };
+    workspace.kept().into_iter().filter_map(entry).collect()
+}
+
+/// Returns the saved string with a name.
+///
+/// # Errors
+/// No string has it, or its file is damaged.
+pub(crate) fn kept_string(workspace: &Workspace, name: &str) -> Result<KeptString, LiveError> {
+    let file = workspace.kept_file(name).map_err(|_| LiveError::Nothing("kept string"))?;
+    let bytes = file.read().map_err(|error| LiveError::Failed(error.to_string()))?;
+    let damaged = || LiveError::Refused("the string that was kept is damaged".to_owned());
+    KeptString::of_bytes(&bytes).ok_or_else(damaged)
+}
+
 #[cfg(test)]
 mod tests {
     use std::time::{Duration, Instant};
 
     use wholestring_case::{InMemory, parse};
-
     use wholestring_screens::live::Start;
 
     use super::*;
@@ -222,7 +291,7 @@ mod tests {
             assert!(since.elapsed() < Duration::from_secs(20), "it goes on");
             thread::sleep(Duration::from_millis(20));
         }
-        assert_eq!(kept::all(&room.workspace).len(), 1);
+        assert_eq!(kept_strings(&room.workspace).len(), 1);
         // The list is updated shortly after.
         thread::sleep(Duration::from_millis(100));
         let Err(LiveError::Ended(sentence)) = room.string(&id) else { panic!("it has ended") };
@@ -235,7 +304,7 @@ mod tests {
         let (_folder, room, id) = room(Duration::from_secs(60));
         room.string(&id).expect("it is there").run(true);
         room.close();
-        assert_eq!(kept::all(&room.workspace).len(), 1);
+        assert_eq!(kept_strings(&room.workspace).len(), 1);
         assert!(matches!(room.string(&id), Err(LiveError::Ended(_))));
     }
 }

@@ -1,14 +1,22 @@
-//! Contents of files, and the case that they make.
+//! Files of other programs that are dropped on the page, and the case that they make.
 
-use std::collections::BTreeMap;
+use std::{
+    collections::BTreeMap,
+    fs::File,
+    io::{self, Seek, Write},
+};
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
-use wholestring_import::{Choices, ImportError, Imported, Input, contents, import};
+use wholestring_import::{
+    Choices, ImportError, ImportErrorKind, Imported, Input, contents, import,
+};
 use wholestring_runner::import::beside;
+use wholestring_units::Dimension;
 
-use super::{question::Question, upload::Uploads};
 use crate::workspace::{NewFile, Workspace, WorkspaceError};
+
+// Contents of files, and the case that they make.
 
 /// Information that is missing in the files.
 #[derive(Debug, Default, Deserialize, ToSchema)]
@@ -170,4 +178,150 @@ fn put(
     let files = case.beside.iter().zip(&texts);
     let files: Vec<NewFile<'_>> = files.map(|(name, (_, text))| NewFile { name, text }).collect();
     workspace.create(NewFile { name, text: &case.text }, &files)
+}
+
+// Questions about missing information, answered as by `--unit`, `--value` and `--pick`.
+
+/// An option that answers a question: `--unit`, `--value` or `--pick`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Ask {
+    /// A unit.
+    Unit,
+    /// A value.
+    Value,
+    /// One of several.
+    Pick,
+}
+
+/// A choice that is missing or invalid.
+#[derive(Debug, PartialEq, Serialize, ToSchema)]
+pub(crate) struct Question {
+    /// The option that answers it.
+    ask: Ask,
+    /// The name under which it is answered: `md`, `block-weight`, `tubular`.
+    name: String,
+    /// Possible answers; for a value, examples of its notation.
+    options: Vec<String>,
+    /// The question as a sentence, with the file and the place in it.
+    message: String,
+}
+
+fn units(dimension: Dimension) -> Vec<String> {
+    dimension.units().iter().map(|unit| unit.symbol.to_owned()).collect()
+}
+
+impl Question {
+    /// The question of an import error; none if no choice helps.
+    fn of(error: &ImportError) -> Option<Self> {
+        let (ask, name, options) = match error.kind() {
+            ImportErrorKind::MissingUnit { name, dimension, .. }
+            | ImportErrorKind::SaidUnit { name, dimension, .. } => {
+                (Ask::Unit, name.clone(), units(*dimension))
+            }
+            ImportErrorKind::MissingValue { name, example, .. } => {
+                (Ask::Value, name.clone(), vec![example.clone()])
+            }
+            ImportErrorKind::SaidValue { name, .. } => (Ask::Value, name.clone(), Vec::new()),
+            ImportErrorKind::Ambiguous { what, names }
+            | ImportErrorKind::NoSuch { what, names, .. } => {
+                (Ask::Pick, what.clone(), names.clone())
+            }
+            ImportErrorKind::InTwoFiles { what, first } => {
+                let files = vec![first.clone(), error.file().to_owned()];
+                (Ask::Pick, (*what).to_owned(), files)
+            }
+            _ => return None,
+        };
+        Some(Self { ask, name, options, message: message(error) })
+    }
+}
+
+/// The message without options of the command line.
+fn message(error: &ImportError) -> String {
+    let sentence = match error.kind() {
+        ImportErrorKind::MissingUnit { what, .. } => format!("the {what} has no unit"),
+        ImportErrorKind::MissingValue { what, hint, .. } => {
+            format!("the {what} is missing{hint}")
+        }
+        ImportErrorKind::SaidUnit { said, dimension, .. } => {
+            format!("'{said}' is no unit of {}", dimension.name())
+        }
+        ImportErrorKind::SaidValue { said, reason, .. } => format!("'{said}': {reason}"),
+        ImportErrorKind::Ambiguous { what, names } => {
+            format!("it holds {} of the kind '{what}'", names.len())
+        }
+        ImportErrorKind::InTwoFiles { what, first } => {
+            format!("it holds the {what}, and so does {first}")
+        }
+        kind => kind.to_string(),
+    };
+    let place = error.place().map_or_else(String::new, |place| format!(", {place}"));
+    format!("{}{place}: {sentence}", error.file())
+}
+
+// Uploads: stored on disk, not in memory, and deleted after reading.
+
+/// Maximum number of files of one import.
+const MOST: usize = 40;
+
+/// Maximum length of names shown.
+const LONGEST_NAME: usize = 120;
+
+/// An uploaded file.
+#[derive(Debug)]
+pub(crate) struct Upload {
+    /// Its name, without a path.
+    name: String,
+    file: File,
+}
+
+impl Upload {
+    /// A new reader from its beginning.
+    fn reader(&self) -> io::Result<File> {
+        let mut reader = self.file.try_clone()?;
+        reader.rewind()?;
+        Ok(reader)
+    }
+
+    /// Appends received bytes.
+    ///
+    /// # Errors
+    /// A full disk.
+    pub(crate) fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.file.write_all(bytes)
+    }
+}
+
+/// Files of one import.
+#[derive(Debug, Default)]
+pub(crate) struct Uploads(Vec<Upload>);
+
+impl Uploads {
+    /// Begins a file with this name.
+    ///
+    /// # Errors
+    /// Too many files, or two of one name.
+    pub(crate) fn begin(&mut self, name: &str, file: File) -> Result<&mut Upload, String> {
+        if self.0.len() == MOST {
+            return Err(format!("more than {MOST} files are not imported at once"));
+        }
+        let name = name.rsplit(['/', '\\']).next().unwrap_or(name);
+        let name: String =
+            name.chars().filter(|letter| !letter.is_control()).take(LONGEST_NAME).collect();
+        if name.is_empty() {
+            return Err("a file has no name".to_owned());
+        }
+        if self.0.iter().any(|upload| upload.name == name) {
+            return Err(format!("two files are called `{name}`"));
+        }
+        self.0.push(Upload { name, file });
+        let last = self.0.len() - 1;
+        Ok(&mut self.0[last])
+    }
+
+    /// Whether there are none.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
 }
