@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::settings::{DynamicsSettings, FrictionLaw, HoistControl};
+use super::{
+    assemble::SetupError,
+    settings::{DynamicsSettings, FrictionLaw, HoistControl},
+};
 use crate::{
-    dynamics::{
-        assemble::error::SetupError,
-        simulation::{Simulation, diverged::Diverged},
-    },
+    dynamics::simulation::{Simulation, diverged::Diverged},
     model::Model,
     operation::Operation,
     rock::Executor,

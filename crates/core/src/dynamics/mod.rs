@@ -15,7 +15,11 @@ mod tests;
 pub use crate::outcome::{
     ContactClass, ContactMap, HoleWear, Profile as NodeProfile, Signal, TimeSeries,
 };
-pub use assemble::{basis::Effort, error::SetupError};
+pub use assemble::{
+    SetupError,
+    basis::Effort,
+    chain::{hoisting, lateral_mass_kg_per_m},
+};
 pub use boundary::{
     bit::{
         Band, BitExcitation, BitRockStep, BitSettings, BitTable, CustomExcitation, Cutters,
@@ -24,6 +28,7 @@ pub use boundary::{
     extension::AnotherExtension,
     friction_coefficient::{CustomFriction, FrictionCoefficient, SlidingContact},
     hole_friction::FrictionFault,
+    top_drive::{Gains, Shown, TorsionalString},
     top_drive_controller::{CustomTopDrive, TopDriveController, TopDriveReading},
 };
 pub use hook_load::{MAX_TUNING_RUNS, TunedHookLoad, TuningError, tune_hook_load};
@@ -35,12 +40,12 @@ pub use output::{
     probe::{NodeSignal, Probe, Probed},
     statistic::Statistic,
 };
-pub use settings::mesh::{MeshSettings, Regions};
-pub use settings::schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep};
 pub use settings::{
     Autodriller, CentredStart, DynamicsSettings, FrictionLaw, HoistControl, HoistLine, Precision,
     RodDamping, SpeedController, Start, StartTension, TopDriveSettings, UntilSteady,
     WEIGHT_TOLERANCE,
+    mesh::{MeshSettings, Regions},
+    schedule::{HoistSetPoint, Schedule, ScheduleFault, ScheduleStep},
 };
 pub use simulation::{
     Simulation,
@@ -52,10 +57,7 @@ pub use simulation::{
 #[cfg(feature = "rayon")]
 pub use simulation::threads::ThreadsError;
 
-pub use assemble::chain::lateral_mass_kg_per_m;
-pub use assemble::hoisting::hoisting;
 pub use body::levers_kg_m;
-pub use boundary::top_drive::{Gains, Shown, TorsionalString};
 pub(crate) use simulation::kernel_speed;
 
 pub use crate::{

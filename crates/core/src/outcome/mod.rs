@@ -1,11 +1,10 @@
 //! Results of the methods: scalars, profiles along string and hole, series against time. Each
 //! quantity is declared once, next to the data, with its name, unit, meaning and source.
 
+mod along_hole;
 mod along_string;
 mod column;
-mod contact_map;
 mod history;
-mod hole_wear;
 mod method;
 mod profile;
 mod quantity;
@@ -16,15 +15,15 @@ mod signal;
 mod signals;
 mod solution;
 mod time_series;
-mod well_path;
 
+pub use along_hole::{
+    CONTACT_MAP, ContactMap, HOLE_STEP_M, HOLE_WEAR, HoleWear, WELL_PATH, WellPath,
+};
+pub(crate) use along_hole::{hole_depths_m, hole_steps, spread};
 pub use along_string::{Buckling, ContactClass, PROFILE, Profile};
 pub use column::{Column, DriftScale, Values, WindowStatistics};
 pub(crate) use column::{Rows, columns};
-pub use contact_map::{CONTACT_MAP, ContactMap};
 pub use history::{EarlierRows, History, ScalarHistory};
-pub use hole_wear::{HOLE_STEP_M, HOLE_WEAR, HoleWear};
-pub(crate) use hole_wear::{hole_depths_m, hole_steps, spread};
 pub(crate) use method::IN_TIME;
 pub use method::{Cost, Method, ModelKind};
 pub(crate) use profile::{SLACK, neutral_point_among, neutral_rows};
@@ -38,4 +37,3 @@ pub(crate) use signals::signals;
 pub use solution::{InTime, Solution};
 pub use time_series::{TIME_SERIES, TimeSeries};
 pub(crate) use time_series::{VARYING, varying_place};
-pub use well_path::{WELL_PATH, WellPath};

@@ -1,8 +1,11 @@
 //! Results of a method for one operation: the same parts for every method.
 
 use super::{
-    along_string::Profile, contact_map::ContactMap, history::EarlierRows, history::History,
-    hole_wear::HoleWear, method::ModelKind, scalars::Scalars,
+    along_hole::{ContactMap, HoleWear},
+    along_string::Profile,
+    history::{EarlierRows, History},
+    method::ModelKind,
+    scalars::Scalars,
 };
 use crate::{
     dynamics::{DynamicOutcome, Indicators, Numerics, Statistic, TableUse},

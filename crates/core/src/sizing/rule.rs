@@ -1,10 +1,6 @@
 //! The rule by which elements choose their length.
 
-use super::{
-    element_length::Accuracy,
-    intervals::{SizedInterval, Sizing},
-    reason::SizeReason,
-};
+use super::{Accuracy, SizeReason, SizedInterval, Sizing};
 use crate::{
     model::Model,
     operation::Operation,

@@ -4,9 +4,7 @@ pub mod casing;
 mod constructors;
 mod curve;
 mod doubtful_turn;
-mod friction_profile;
 mod hole;
-mod interpolation;
 mod kick_off;
 mod path;
 mod roughness;
@@ -20,11 +18,10 @@ pub use doubtful_turn::{
 pub use hole::{
     CasingPipe, Friction, FrictionLevel, Hole, HoleError, HoleKind, HoleSection, NARROWEST_BAND,
 };
-pub use interpolation::Interpolation;
 pub(crate) use path::Heading;
 pub use path::{Path, PathError, PathPoint, TieIn};
 pub use roughness::{Relief, ReliefPoint, Roughness};
-pub use station::Station;
+pub use station::{Interpolation, Station};
 pub use tortuosity::{Tortuosity, TortuosityKind};
 
 use serde::Serialize;

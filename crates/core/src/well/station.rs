@@ -33,3 +33,14 @@ impl Station {
 pub(super) fn angle_between(a: &Vector3<f64>, b: &Vector3<f64>) -> f64 {
     2.0 * libm::atan2((b - a).norm(), (b + a).norm())
 }
+
+// Interpolation of the hole's axis between survey stations.
+
+/// Interpolation of the curve between stations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub enum Interpolation {
+    /// Circular arcs: the industry's standard. The curvature jumps at stations.
+    MinimumCurvature,
+    /// A curve with continuous curvature through the same directions.
+    Spline,
+}

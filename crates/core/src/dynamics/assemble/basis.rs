@@ -1,7 +1,11 @@
 //! Preparation of a run before its string is initialised: checks of the settings, the hoist, the
 //! mesh and the step.
 
-use super::{chain, error::SetupError, foreseen, hoisting::hoisting, numbers::check_numbers};
+use super::{
+    SetupError,
+    chain::{self, hoisting},
+    check_numbers, foreseen,
+};
 use crate::{
     dynamics::{
         body::Body,

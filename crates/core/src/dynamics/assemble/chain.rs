@@ -1,10 +1,14 @@
 //! From model and mesh to the chain that the time loop moves.
 
 use crate::{
-    dynamics::kernel::chain::{Chain, node},
+    dynamics::{
+        kernel::chain::{Chain, node},
+        settings::{DynamicsSettings, HoistControl, schedule::HoistSetPoint},
+    },
     ends::{BitEnd, Ends, TopEnd},
     model::Model,
     mud::Densities,
+    operation::Operation,
     rod::{element::Stiffness, in_fluid, mesh::Mesh, stability::StepPlan},
     simd::number::Real,
 };
@@ -112,4 +116,30 @@ pub fn hold(chain: &mut Chain) {
 /// Weight of the node at the top of the chain along the hole, N: part of the hook load.
 pub fn top_weight_N(chain: &Chain<impl Real>) -> f64 {
     chain.weight(0).dot(chain.tangent(0))
+}
+
+// State of the hoist at the beginning of a run.
+
+/// Returns the hoist's motion at time zero and the resulting axial velocity of the string, m/s.
+pub fn hoisting(operation: &Operation, settings: &DynamicsSettings) -> (HoistControl, f64) {
+    let start = settings.schedule.at_time_zero(operation);
+    let own = settings.bit.axial_velocity_m_per_s(
+        operation,
+        start.weight_on_bit_N,
+        start.rotary_speed_rad_per_s,
+    );
+    let usual = if operation.kind.on_bottom() {
+        HoistControl::Autodriller
+    } else {
+        HoistControl::BlockVelocity(own)
+    };
+    let control = match settings.schedule.hoist_at_time_zero() {
+        Some(HoistSetPoint::BlockVelocity(velocity)) => HoistControl::BlockVelocity(velocity),
+        Some(HoistSetPoint::WeightOnBit(_)) => HoistControl::Autodriller,
+        None => settings.hoist_control.unwrap_or(usual),
+    };
+    match control {
+        HoistControl::BlockVelocity(velocity) => (control, velocity),
+        _ => (control, own),
+    }
 }

@@ -8,7 +8,6 @@ pub mod friction_coefficient;
 pub mod hoist;
 pub mod hole;
 pub mod hole_friction;
-pub mod lateral_force;
 pub mod mud;
 pub mod top_drive;
 pub mod top_drive_controller;

@@ -10,14 +10,13 @@ pub mod scene;
 
 use nalgebra::Vector3;
 
-use super::{body::Body, settings::Start};
+use super::{assemble::SetupError, body::Body, boundary::anchor, settings::Start};
 use crate::{
     dynamics::{
-        assemble::{chain, error::SetupError},
+        assemble::chain,
         boundary::{
             anchor::Anchor,
             hole::{self, Borehole},
-            lateral_force,
         },
         initial_state::{guide::Guide, scene::Scene},
         kernel::{
@@ -92,7 +91,7 @@ pub fn initialise(
     };
     string.place(bit_md_m, settings.start == Start::Prepared);
     string.body.orient(&string.chain, &string.anchors);
-    lateral_force::add(&mut string.chain, &string.anchors, scene.model, mesh);
+    anchor::add_lateral_forces(&mut string.chain, &string.anchors, scene.model, mesh);
     string.disturb(settings.seed);
     if settings.start == Start::Prepared {
         string.set_motion(0.0, operation.rotation_rad_per_s());

@@ -8,14 +8,19 @@
 //! displacements from each node's own anchor on the hole's axis.
 
 mod blocks;
-mod imbalance;
 mod numbers;
 mod region;
 mod rows;
 pub mod upkeep;
 
+pub use blocks::{ElementBlock, ImbalanceBlock, NO_WALL_M, NodeBlock, StateBlock};
+pub(crate) use numbers::{element, node, number};
+pub use region::RegionRows;
+pub use rows::{Row, Rows};
+
 use serde::{Deserialize, Serialize};
 
+use self::rows::CopyLane;
 use super::{
     layout::Layout,
     places::{Border, Places},
@@ -25,13 +30,6 @@ use crate::{
     rod::element::{Pose, Stiffness},
     simd::{number::Real, vector::Vector},
 };
-
-pub use blocks::{ElementBlock, ImbalanceBlock, NO_WALL_M, NodeBlock, StateBlock};
-pub use imbalance::NodeImbalance;
-pub(crate) use numbers::{element, node, number};
-pub use region::RegionRows;
-use rows::CopyLane;
-pub use rows::{Row, Rows};
 
 /// The whole chain.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -295,5 +293,50 @@ impl<R: Real> Chain<R> {
         let a = chord.dot(chord).sqrt();
         element!(self, index, excess = (a - length) * (a + length));
         self.share_element(index);
+    }
+}
+
+// The imbalance of a single node.
+
+/// An eccentric mass at a node.
+#[derive(Debug, Clone, Copy)]
+pub struct NodeImbalance {
+    /// `U`, kg·m.
+    pub moment_kg_m: f64,
+    /// `U g`, N·m.
+    pub weight_moment_N_m: f64,
+    /// Its direction at the present position.
+    pub toward: Vector<f64>,
+    /// Its direction half a step before: where the velocities are.
+    pub half: Vector<f64>,
+}
+
+impl<R: Real> ImbalanceBlock<R> {
+    /// Gives the node of a lane an imbalance.
+    fn set(&mut self, lane: usize, imbalance: &NodeImbalance) {
+        let set = |rows: &mut Rows<R>, v: Vector<f64>| {
+            for (row, v) in rows.iter_mut().zip([v.0, v.1, v.2]) {
+                row.0[lane] = R::from_f64(v);
+            }
+        };
+        self.moment.0[lane] = R::from_f64(imbalance.moment_kg_m);
+        self.weight_moment.0[lane] = R::from_f64(imbalance.weight_moment_N_m);
+        set(&mut self.toward, imbalance.toward);
+        set(&mut self.half, imbalance.half);
+        set(&mut self.rest, Vector::zero());
+    }
+
+    /// The imbalance of the node of a lane, if it has one.
+    fn get(&self, lane: usize) -> Option<NodeImbalance> {
+        let vector = |[x, y, z]: &Rows<R>| {
+            Vector(x.0[lane].to_f64(), y.0[lane].to_f64(), z.0[lane].to_f64())
+        };
+        let moment_kg_m = self.moment.0[lane].to_f64();
+        (moment_kg_m > 0.0).then(|| NodeImbalance {
+            moment_kg_m,
+            weight_moment_N_m: self.weight_moment.0[lane].to_f64(),
+            toward: vector(&self.toward) + vector(&self.rest),
+            half: vector(&self.half),
+        })
     }
 }

@@ -10,5 +10,4 @@ pub mod record;
 pub mod scene;
 pub mod statistic;
 pub mod summary;
-pub mod varying;
 pub mod wear;

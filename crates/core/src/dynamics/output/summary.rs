@@ -5,13 +5,12 @@ use super::{
     indicators::{Indicators, Motion},
     outcome::{DynamicOutcome, Numerics},
     record::{Quantity, Record, Spread},
-    statistic::{Moments, Statistic},
-    varying::{scales, varying_from},
+    statistic::{Moments, Statistic, scales, varying_from},
     wear::Wear,
 };
 use crate::{
     dynamics::{
-        boundary::{anchor::Anchor, bit::Bit, mud::flow_pressures::FlowPressures},
+        boundary::{anchor::Anchor, bit::Bit, mud::FlowPressures},
         simulation::settling::{Settled, Settling},
     },
     model::Model,

@@ -8,7 +8,7 @@ use super::{run::Run, state::State};
 use crate::{
     damage::Damaged,
     dynamics::{
-        assemble::{basis::Basis, error::SetupError},
+        assemble::{SetupError, basis::Basis},
         boundary::extension::AnotherExtension,
         kernel::chain::Chain,
         settings::DynamicsSettings,

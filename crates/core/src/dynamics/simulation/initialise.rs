@@ -1,13 +1,16 @@
 //! The beginning of a run.
 
-use super::{run::Run, settling::FADING_S, since_sample::SinceSample, state::State};
+use super::{
+    run::Run,
+    settling::FADING_S,
+    state::{SinceSample, State},
+};
 use crate::{
     dynamics::{
         assemble::{
-            self,
+            self, SetupError,
             basis::{self, Basis},
-            error::SetupError,
-            hoisting,
+            chain,
         },
         body::Body,
         boundary::{
@@ -15,7 +18,7 @@ use crate::{
             executor::RockExecutor,
             hoist::{Hoist, Target},
             hole,
-            mud::{squeezed::Squeezed, viscous::Viscous},
+            mud::{Squeezed, viscous::Viscous},
             top_drive::{TopDrive, TorsionalString},
             wall_friction::WallFriction,
         },
@@ -63,7 +66,7 @@ impl<R: Registers> Run<R> {
         basis: Basis<R>,
     ) -> Result<Self, SetupError> {
         let (mesh, dt) = (&basis.mesh, basis.plan.dt_s);
-        let (control, velocity) = hoisting::hoisting(operation, settings);
+        let (control, velocity) = chain::hoisting(operation, settings);
         let mut first = settings.schedule.at_time_zero(operation);
         let bit_md_m = basis::first_bit_md_m(operation, settings, &basis.settling);
         let chain = assemble::chain::chain(model, mesh, &basis.plan);

@@ -1,9 +1,14 @@
-//! Access of benchmarks and tests to the inner loop: [`crate::internals`].
+//! Measurement of the speed of a run, and access of benchmarks and tests to the inner loop:
+//! [`crate::internals`].
 
-use super::{Either, Simulation, either};
+use super::{Either, Simulation, either, run::Run};
 use crate::{
-    dynamics::kernel::step::{Abilities, Laws, Stepper},
-    simd::counted::Flops,
+    dynamics::kernel::{
+        chain::node,
+        step::{Abilities, Laws, StepInput, Stepper},
+    },
+    rock,
+    simd::{counted::Flops, wide::Registers},
 };
 
 /// The inner loop of a simulation by itself.
@@ -46,5 +51,47 @@ impl KernelAccess for Simulation {
 
     fn work_at_peak(&self, rounds: usize) -> u64 {
         either!(&self.0, run => run.work_at_peak(rounds))
+    }
+}
+
+// Measurement of the speed of a run.
+
+impl<R: Registers> Run<R> {
+    /// Switches to one of the instruction sets; unchanged if there is none of that name.
+    pub fn use_instructions(&mut self, name: &str) {
+        let mut all = Stepper::all(self.abilities).into_iter();
+        if let Some(stepper) = all.find(|stepper| stepper.instructions == name) {
+            self.stepper = stepper;
+        }
+        let mut all = rock::Stepper::all().into_iter();
+        if let Some(stepper) = all.find(|stepper| stepper.instructions == name) {
+            self.executor.stepper = stepper;
+        }
+    }
+
+    /// Takes `steps` steps of the inner loop alone, the top held where it is. The run is no more
+    /// than that afterwards.
+    pub fn step_kernel(&mut self, steps: usize) {
+        let input = self.hold_top();
+        for _ in 0..steps {
+            self.stepper.step(&mut self.chain, &input);
+        }
+    }
+
+    /// Takes one such step and counts its arithmetic.
+    pub fn count_kernel(&mut self) -> Flops {
+        let input = self.hold_top();
+        Stepper::count(self.abilities, &mut self.chain, &input)
+    }
+
+    /// Does as much arithmetic in the registers of the inner loop as the processor can, `rounds`
+    /// times; how many floating-point operations that was.
+    pub fn work_at_peak(&self, rounds: usize) -> u64 {
+        self.stepper.work(rounds)
+    }
+
+    fn hold_top(&mut self) -> StepInput {
+        node!(self.chain, 0, inv_mass_axial = 0.0);
+        self.step_input()
     }
 }

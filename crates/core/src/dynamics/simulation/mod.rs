@@ -1,10 +1,8 @@
 //! A run in the precision that its settings require.
 
 mod answer;
-mod balance;
 pub mod checkpoint;
 pub mod diverged;
-mod friction;
 mod initialise;
 pub mod kernel_speed;
 mod numbers;
@@ -12,8 +10,6 @@ pub mod observer;
 mod run;
 mod sampling;
 pub mod settling;
-mod since_sample;
-mod speed;
 mod state;
 mod step;
 #[cfg(feature = "rayon")]
@@ -23,13 +19,15 @@ use std::sync::Arc;
 
 use nalgebra::Vector3;
 
-use super::settings::{
-    DynamicsSettings, HoistControl, Precision, SpeedController,
-    schedule::{ScheduleFault, ScheduleStep},
+use super::{
+    assemble::SetupError,
+    settings::{
+        DynamicsSettings, HoistControl, Precision, SpeedController,
+        schedule::{ScheduleFault, ScheduleStep},
+    },
 };
 use crate::{
     dynamics::{
-        assemble::error::SetupError,
         boundary::{executor::RockExecutor, hole_friction::FrictionFault},
         output::{frame::Frame, indicators::Indicators, outcome::DynamicOutcome},
         simulation::{

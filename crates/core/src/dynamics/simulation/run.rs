@@ -11,7 +11,7 @@ use crate::{
         boundary::{
             executor::{RockExecutor, SharedExecutor},
             hole::Borehole,
-            mud::squeezed::Squeezed,
+            mud::Squeezed,
             top_drive::{Gains, TorsionalString},
         },
         kernel::{

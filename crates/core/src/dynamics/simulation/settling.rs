@@ -2,10 +2,10 @@
 
 use crate::{
     dynamics::{
-        assemble::hoisting,
+        assemble::chain,
         output::{
             drift::{Drift, MATTERS, SIGNIFICANT},
-            varying::{scales, varying},
+            statistic::{scales, varying},
         },
         settings::{DynamicsSettings, Start},
     },
@@ -117,7 +117,7 @@ impl Settling {
             Start::Centred => settings.centred.ramp_s,
         };
         let planned_s = settings.schedule.end_s();
-        let travel_m = hoisting::hoisting(operation, settings).1.abs() * until.max_s;
+        let travel_m = chain::hoisting(operation, settings).1.abs() * until.max_s;
         let travels = travel_m > TRAVELS_M && !settings.schedule.moves_the_hoist();
         let min_s = settings.settle_s.max(start_s).max(planned_s) + stretch_s;
         let min_s = if travels { min_s.max(TRAVELS_MIN_S) } else { min_s };

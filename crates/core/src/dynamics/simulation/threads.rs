@@ -6,7 +6,7 @@ use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
 
 use super::Simulation;
 use crate::{
-    dynamics::{assemble::error::SetupError, settings::DynamicsSettings},
+    dynamics::{assemble::SetupError, settings::DynamicsSettings},
     model::Model,
     operation::Operation,
 };

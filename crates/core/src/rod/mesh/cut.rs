@@ -5,10 +5,7 @@
 
 use std::ops::RangeInclusive;
 
-use super::{
-    marks::{Mark, body_radius_m},
-    node::MeshNode,
-};
+use super::marks::{Mark, MeshNode, body_radius_m};
 use crate::{sizing::Sizing, string::DrillString};
 
 /// Part of an element that a stretch may lack and still be cut once more. Between marks the

@@ -1,6 +1,5 @@
 //! Mandatory positions of nodes: ends, blades, bends, lateral forces, and joints where they can.
 
-use super::node::MeshNode;
 use crate::{
     sizing::Sizing,
     string::{Blades, Component, DrillString, NEAREST_BEND_M, Span},
@@ -195,4 +194,15 @@ fn thin(marks: Vec<Mark>, sizing: &Sizing) -> Vec<Mark> {
         }
     }
     result
+}
+
+// A node of the mesh.
+
+/// A node of the string.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshNode {
+    /// Distance from the bit along the unloaded string, m.
+    pub from_bit_m: f64,
+    /// Radius that touches the wall here: of the joint, of the stabiliser or of the body, m.
+    pub contact_radius_m: f64,
 }

@@ -1,18 +1,16 @@
 //! Positions of the nodes.
 
 mod cut;
-mod halve;
 mod marks;
-mod node;
 
+pub use marks::MeshNode;
+
+use self::marks::{BLADE_HEIGHT_M, radius_between_m};
 use super::section::Section;
 use crate::{
     sizing::{SizeReason, Sizing},
     string::{Component, DrillString},
 };
-
-use marks::BLADE_HEIGHT_M;
-pub use node::MeshNode;
 
 /// An element between two nodes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -142,5 +140,36 @@ impl Mesh {
         let above = if node > 0 { self.elements[node - 1].length_m } else { 0.0 };
         let below = self.elements.get(node).map_or(0.0, |e| e.length_m);
         0.5 * (above + below)
+    }
+}
+
+// Elements cut in two.
+
+impl Mesh {
+    /// Cuts elements of `string` in two, from the surface down; the body touches at their middles,
+    /// blades only between nodes on blades. Every node stays where it is.
+    #[must_use]
+    pub fn halved(&self, string: &DrillString, which: &[bool], reason: SizeReason) -> Self {
+        let mut nodes = vec![self.nodes[0]];
+        let mut elements = Vec::with_capacity(self.elements.len());
+        for (index, element) in self.elements.iter().enumerate() {
+            let (top, bottom) = (self.nodes[index], self.nodes[index + 1]);
+            if which[index] {
+                let from_bit_m = 0.5 * (top.from_bit_m + bottom.from_bit_m);
+                let contact_radius_m = radius_between_m(string, from_bit_m, [&top, &bottom]);
+                let half = |low_m: f64, high_m: f64| MeshElement {
+                    length_m: high_m - low_m,
+                    section: Section::between(string, low_m, high_m),
+                    reason,
+                };
+                nodes.push(MeshNode { from_bit_m, contact_radius_m });
+                elements.push(half(from_bit_m, top.from_bit_m));
+                elements.push(half(bottom.from_bit_m, from_bit_m));
+            } else {
+                elements.push(*element);
+            }
+            nodes.push(bottom);
+        }
+        Self { nodes, elements }
     }
 }

@@ -1,12 +1,11 @@
 //! Extent of the solved part of the string, and its elements.
 
-use super::settings::{AssemblySettings, Extent};
 use crate::{
     model::Model,
     operation::Operation,
     rod::mesh::Mesh,
     sizing::{Accuracy, SizeReason, Sizing, assembly_top_m},
-    statics::soft::SoftError,
+    statics::{soft::SoftError, stiff::StiffSettings},
     string::Component,
 };
 
@@ -109,4 +108,37 @@ pub(super) fn mesh(
     }
     let sizing = Sizing::shortest(&stretches, SizeReason::Assembly).refined(refinement);
     Ok(Mesh::new(&model.string, &sizing).lower_end(reach.solved_m))
+}
+
+// Settings of the assembly's solution.
+
+/// Part of the string that is solved with the assembly.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Extent {
+    /// All of it.
+    Whole,
+    /// The assembly and so much of the pipe above it, m; the top of that is on the hole's axis.
+    PipeAbove(f64),
+}
+
+/// Settings of the assembly's solution.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AssemblySettings {
+    /// Wall, bit and upper end. Its element lengths are not used.
+    pub stiff: StiffSettings,
+    /// Part of the string that is solved.
+    pub extent: Extent,
+    /// Length of the elements of the assembly, m. Those of jointed pipe are an eighth of a joint.
+    pub element_length_m: f64,
+}
+
+impl Default for AssemblySettings {
+    /// 100 m of pipe above the assembly, elements of 0.3 m.
+    fn default() -> Self {
+        Self {
+            stiff: StiffSettings::default(),
+            extent: Extent::PipeAbove(100.0),
+            element_length_m: 0.3,
+        }
+    }
 }

@@ -7,16 +7,11 @@
 mod axis;
 mod contact;
 mod extent;
-mod hole;
 mod sag;
-mod settings;
 mod solve;
-mod zero;
 
 pub use axis::{AssemblyNode, Largest};
 pub use contact::{Contact, Touching};
-pub use hole::in_straight_hole;
-pub use sag::Sag;
-pub use settings::{AssemblySettings, Extent};
-pub use solve::{Assembly, AssemblyErrors, solve, solve_once};
-pub use zero::zeros;
+pub use extent::{AssemblySettings, Extent};
+pub use sag::{Sag, zeros};
+pub use solve::{Assembly, AssemblyErrors, in_straight_hole, solve, solve_once};

@@ -1,10 +1,8 @@
 //! When a compressed pipe leaves its straight course.
 
 use super::{
-    criterion::Criterion,
-    loads::{BucklingLoads, CriticalLoads},
+    loads::{BucklingLoads, Criterion, CriticalLoads, Shape},
     place::Place,
-    shape::Shape,
 };
 
 /// Steps after which a zero is found to double precision, bisections included.

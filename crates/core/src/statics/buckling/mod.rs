@@ -14,17 +14,11 @@
 //! vertical hole. A [`Criterion`] selects the author of the loads. Theory and sources:
 //! `docs/src/findings.md`.
 
-mod criterion;
 mod critical;
 mod loads;
 mod place;
 mod push;
-mod segments;
-mod shape;
 
-pub use criterion::Criterion;
-pub use loads::BucklingLoads;
+pub use loads::{BucklingLoads, Criterion, Shape};
 pub use place::{Pipe, Place};
-pub use push::{Pushed, Segment, push_through, weight_at_bit_N};
-pub use segments::segments;
-pub use shape::Shape;
+pub use push::{Pushed, Segment, push_through, segments, weight_at_bit_N};

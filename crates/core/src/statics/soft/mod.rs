@@ -15,25 +15,21 @@
 //! of a flowing mud: `docs/src/theory/mud.md`.
 
 mod bearing;
-mod buckling_margins;
 mod error;
 mod hole;
 mod integrate;
 mod load;
 mod loads;
 mod profile;
-mod rows;
 mod segment;
-mod settings;
 mod string;
 mod travel;
 
 use crate::{model::Model, operation::Operation};
 
-pub use error::SoftError;
+pub use error::{SoftError, SoftSettings};
 pub use loads::SoftLoads;
 pub use profile::SoftProfile;
-pub use settings::SoftSettings;
 pub use string::SoftString;
 pub(crate) use travel::scalars_at;
 

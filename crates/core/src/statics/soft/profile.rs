@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::{
     integrate::Integral,
-    rows::{Row, Rows},
+    loads::{Row, Rows},
 };
 use crate::{
     model::Model,

@@ -1,13 +1,10 @@
 //! A soft string in its hole, for any number of operations.
 
 use super::{
-    SoftError, SoftLoads, SoftProfile, SoftSettings,
-    buckling_margins::BucklingMargins,
-    error,
+    SoftError, SoftLoads, SoftProfile, SoftSettings, error,
     hole::{self, Stretch},
     integrate::{self, Integral, Keep},
-    loads::Loads,
-    rows::Rows,
+    loads::{BucklingMargins, Loads, Rows},
 };
 use crate::{model::Model, operation::Operation};
 

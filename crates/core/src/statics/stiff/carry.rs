@@ -7,7 +7,7 @@
 use nalgebra::{Vector2, Vector3};
 
 use super::{
-    equilibrium::Equilibrium, heading::Heading, snake::Drawn, state::State,
+    director::Heading, equilibrium::Equilibrium, snake::Drawn, state::State,
     string_in_hole::StringInHole,
 };
 use crate::rod::mesh::Mesh;

@@ -15,11 +15,11 @@
 use nalgebra::Matrix2;
 
 use super::{
+    active_set::OnWall,
     blocks::Entry,
     contact,
     equations::Equations,
     judge,
-    on_wall::OnWall,
     state::{Round, State},
     string_in_hole::StringInHole,
 };

@@ -6,7 +6,7 @@
 //! the waves, so that there are fewer of them, as long as that releases energy.
 
 use super::{
-    cascade::warm_start, energy::energy_J, equations::Equations, equilibrium::Equilibrium,
+    cascade::warm_start, equations::Equations, equilibrium::Equilibrium, judge::energy_J,
     string_in_hole::Node,
 };
 

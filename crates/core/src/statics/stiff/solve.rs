@@ -5,7 +5,7 @@ use super::{
     cascade::{NotFound, from_the_middle, released, settle, warm_start},
     equations::Equations,
     equilibrium::{Convergence, Equilibrium},
-    slender,
+    mesh_error,
     snake::of_least_energy,
     state::State,
     string_in_hole::StringInHole,
@@ -196,7 +196,7 @@ impl Task<'_> {
         string: &StringInHole,
         lost: NotFound,
     ) -> Result<Equilibrium, StiffError> {
-        let Some(buckles) = slender::buckles(string, &lost.tension_N) else {
+        let Some(buckles) = mesh_error::buckles(string, &lost.tension_N) else {
             return Err(lost.error);
         };
         let most_N = string.elements.iter().map(|element| -element.guess_N).fold(0.0, f64::max);
@@ -208,7 +208,7 @@ impl Task<'_> {
         }
         for _ in 0..HALVED {
             let at_most_N = compression_N.min(GROWS * most_N);
-            let long = slender::too_long(&self.string_in_hole(&mesh), at_most_N);
+            let long = mesh_error::too_long(&self.string_in_hole(&mesh), at_most_N);
             if !long.contains(&true) {
                 break;
             }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Vector2, Vector3};
 
-use super::{blocks::Entry, heading::Heading, string_in_hole::StringInHole};
+use super::{blocks::Entry, director::Heading, string_in_hole::StringInHole};
 
 /// Initial contact force of a node off the wall in an interior point, as a part of the mean weight
 /// of a node, and initial gap of a node on the wall, as a part of its clearance.

@@ -2,7 +2,7 @@
 
 use super::{
     CatalogueEntry, PipeClass, TubularKind,
-    inches::{INCH_M, PSI_PA},
+    entry::{INCH_M, PSI_PA},
 };
 
 const SOURCE: &str = "API Spec 5ST (CT-70 to CT-110); CT-120 and CT-130 are makers' grades; \

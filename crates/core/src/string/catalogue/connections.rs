@@ -1,7 +1,7 @@
 //! Threads of rotary shouldered connections, in inches as API Spec 7-2 prints them, and the
 //! strength of the connections of the catalogue's tubulars.
 
-use super::inches::{INCH_M, PSI_PA};
+use super::entry::{INCH_M, PSI_PA};
 use crate::string::{ConnectionStrength, RotaryConnection, Shoulder};
 
 /// Thread forms: height of the thread, not truncated, and truncation of its root, in. All have

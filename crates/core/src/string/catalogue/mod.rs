@@ -18,18 +18,15 @@ mod coiled;
 mod connections;
 mod designation;
 mod entry;
-mod inches;
 mod nominal;
 pub(crate) mod parts;
-mod search;
 mod tables;
 
 pub use class::PipeClass;
 pub use connections::{connection, tool_joint};
-pub use designation::find;
+pub use designation::{describes, find};
 pub use entry::{CatalogueEntry, EntryConnection, JointDimensions, TubularKind};
 pub use nominal::nominal_pipe;
-pub use search::describes;
 
 /// Why a designation names no entry.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -1,6 +1,6 @@
 //! Nominal weights of drill pipe: names of a wall, without tool joints.
 
-use super::{CatalogueEntry, TubularKind, entries, inches::POUND_PER_FOOT_KG_PER_M};
+use super::{CatalogueEntry, TubularKind, entries, entry::POUND_PER_FOOT_KG_PER_M};
 use crate::string::Material;
 
 /// Diameters this close are those of one pipe, m.

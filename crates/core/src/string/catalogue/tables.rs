@@ -2,7 +2,7 @@
 
 use super::{
     CatalogueEntry, EntryConnection, JointDimensions, PipeClass, TubularKind, coiled, connections,
-    inches::{INCH_M, PSI_PA},
+    entry::{INCH_M, PSI_PA},
 };
 use crate::string::ConnectionStrength;
 

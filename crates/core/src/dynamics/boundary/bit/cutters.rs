@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::dynamics::assemble::{error::SetupError, numbers::check_numbers};
+use crate::dynamics::assemble::{SetupError, check_numbers};
 
 /// The cutters of a bit in a rock, by Detournay and Defourny (*International Journal of Rock
 /// Mechanics* 29, 1992).

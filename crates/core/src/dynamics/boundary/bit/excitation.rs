@@ -4,7 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::{
-    dynamics::assemble::{error::SetupError, numbers::check_numbers},
+    dynamics::assemble::{SetupError, check_numbers},
     random::Random,
 };
 

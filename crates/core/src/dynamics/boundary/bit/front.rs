@@ -14,7 +14,7 @@ use super::{
 use crate::{
     damage::{Damaged, ensure},
     dynamics::{
-        assemble::{error::SetupError, numbers::check_numbers},
+        assemble::{SetupError, check_numbers},
         boundary::extension::AnotherExtension,
     },
 };

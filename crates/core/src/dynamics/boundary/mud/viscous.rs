@@ -12,7 +12,7 @@
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
-use super::flow_pressures::FlowPressures;
+use super::FlowPressures;
 use crate::{
     damage::{Damaged, ensure},
     dynamics::{

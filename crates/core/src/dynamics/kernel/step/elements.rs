@@ -1,10 +1,6 @@
 //! Forces and moments of the elements on their ends.
 
-use super::{
-    input::StepInput,
-    lane::{add, at, at3, put, put3},
-    losses::Losses,
-};
+use super::lane::{Losses, StepInput, add, at, at3, put, put3};
 use crate::{
     dynamics::kernel::chain::{ElementBlock, Row, Rows, StateBlock},
     rod::element::{self, Chord, Pose, Stiffness, Strain},

@@ -5,8 +5,7 @@
 
 use super::{
     elements::Pull,
-    input::StepInput,
-    lane::{at, at3, put, put3},
+    lane::{StepInput, at, at3, put, put3},
 };
 use crate::{
     dynamics::kernel::chain::{ImbalanceBlock, NodeBlock, Row, Rows, StateBlock},

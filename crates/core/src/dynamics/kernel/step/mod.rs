@@ -15,15 +15,18 @@
 //! Directors move on the sphere by Cayley's rotation, which keeps their length and the right angle
 //! to their angular velocity to rounding.
 
-mod contact;
 mod damping;
 mod elements;
 mod imbalance;
-mod input;
 mod lane;
-mod losses;
 mod nodes;
 mod scratch;
+
+use elements::{Pull, Strains, bend, chord, strain, twist};
+use imbalance::{follow, throw};
+use lane::{Losses, lanes};
+use nodes::{correct, friction, gap, normal_contact, predict, rotate_directors};
+use scratch::Scratch;
 
 use super::{
     border::Coupled,
@@ -36,16 +39,8 @@ use crate::simd::{
     peak,
     wide::{Pair, Registers},
 };
-use contact::normal_contact;
 pub use damping::MassDamping;
-use elements::{Pull, Strains, bend, chord, strain, twist};
-use imbalance::{follow, throw};
-pub use input::StepInput;
-use lane::lanes;
-use losses::Losses;
-pub use losses::StepLosses;
-use nodes::{correct, friction, gap, predict, rotate_directors};
-use scratch::Scratch;
+pub use lane::{StepInput, StepLosses};
 
 /// Laws of contact. They are selected once per row of nodes: separate code for each would quadruple
 /// the compile time without a faster step.

@@ -2,15 +2,13 @@
 
 use super::{
     elements::Pull,
-    input::StepInput,
-    lane::{add, at, at3, put, put3},
-    losses::Losses,
+    lane::{Losses, StepInput, add, at, at3, put, put3},
 };
 use crate::{
     dynamics::kernel::chain::{NodeBlock, Row, Rows, StateBlock},
     rod::element::across,
     simd::number::{Number, Real},
-    wall::friction,
+    wall::{friction, normal_force},
 };
 
 /// A row of nodes during the step: the prediction from rod, gravity, mud and damping before the
@@ -303,4 +301,35 @@ pub(super) fn rotate_directors<N: Number>(
     let turned = d0.scaled(shrink + shrink - one).plus(turning.cross(d0), dt * shrink);
     put3(&mut state.d, lane, turned);
     put3(&mut state.w, lane, turning);
+}
+
+// Contact force of the wall.
+
+/// Contact forces of a row of nodes.
+#[inline(always)]
+pub(super) fn normal_contact<N: Number, const HERTZ: bool>(
+    prediction: &mut Prediction<N::Real>,
+    n: &NodeBlock<N::Real>,
+    input: &StepInput,
+    lane: usize,
+) {
+    let dt = N::splat(input.dt);
+    let offset = at3::<N>(&prediction.offset, lane);
+    // The least distance keeps the inverse finite for a node on the axis.
+    let distance = (offset.dot(offset) + N::splat(1e-30)).sqrt();
+    let inverse = N::splat(1.0) / distance;
+    let penetration = distance - at(&prediction.clearance, lane);
+    // v·offset/|offset|: the velocity towards the wall.
+    let inward = inverse * at(&prediction.inward, lane);
+    let stiffness = at(&n.stiffness, lane);
+    let mobility = at::<N>(&prediction.mobility, lane);
+    let force: N = if HERTZ {
+        let dissipation = N::splat(input.dissipation);
+        normal_force::hertz(penetration, inward, stiffness, dissipation, dt * mobility)
+    } else {
+        let damping = at(&n.damping, lane);
+        normal_force::linear(penetration, inward, stiffness, damping, mobility, dt)
+    };
+    put3(&mut prediction.normal, lane, offset.scaled(inverse));
+    put(&mut prediction.normal_force, lane, force);
 }

@@ -1,6 +1,5 @@
 //! Record of a run in progress: sums per node, samples of the scalars.
 
-mod above;
 mod contact_map;
 mod deflection;
 mod depths;

@@ -2,9 +2,8 @@
 //! chain for the record.
 
 use super::{
-    above::Above,
     deflection::{Ends, parts},
-    lane::{at, at3, put},
+    lane::{Above, at, at3, put},
     shapes::Shapes,
     strength::{Metal, Strength},
 };

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    above::Above,
     deflection::Ends,
+    lane::Above,
     shape_block::{Moments, NONE, ShapeBlock},
     string_end::StringEnd,
 };

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::{super::heading::Heading, node::Node};
+use super::{super::director::Heading, node::Node};
 use crate::{
     model::Model,
     mud::{Conduit, Hydraulics},

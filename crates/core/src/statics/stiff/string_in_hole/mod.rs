@@ -4,7 +4,7 @@ mod element;
 mod load;
 mod node;
 
-use super::settings::StiffSettings;
+use super::error::StiffSettings;
 use crate::{
     ends,
     model::Model,

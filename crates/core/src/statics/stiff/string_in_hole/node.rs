@@ -2,7 +2,7 @@
 
 use nalgebra::{Vector2, Vector3};
 
-use super::super::{settings::StiffSettings, wall::Compliance};
+use super::super::{error::StiffSettings, wall::Compliance};
 use crate::{
     model::Model,
     rod::mesh::Mesh,

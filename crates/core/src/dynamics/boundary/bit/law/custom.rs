@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize, Serializer};
 
 use super::rules::{CutStart, LawRules};
 use crate::dynamics::{
-    assemble::error::SetupError,
+    assemble::SetupError,
     boundary::{
         bit::{
             cutters::SteadyCut,

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::rules::{CutStart, LawRules};
 use crate::dynamics::{
-    assemble::{error::SetupError, numbers::check_numbers},
+    assemble::{SetupError, check_numbers},
     boundary::bit::{
         cutters::{Cutters, SteadyCut},
         excitation::Excitation,

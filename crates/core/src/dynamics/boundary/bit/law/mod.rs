@@ -26,7 +26,7 @@ use super::{
 };
 use crate::{
     damage::Damaged,
-    dynamics::{assemble::error::SetupError, boundary::extension::AnotherExtension},
+    dynamics::{assemble::SetupError, boundary::extension::AnotherExtension},
 };
 
 pub use self::{

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::rules::{CutStart, LawRules};
 use crate::{
     dynamics::{
-        assemble::error::SetupError,
+        assemble::SetupError,
         boundary::bit::{
             cutters::SteadyCut,
             excitation::Excitation,

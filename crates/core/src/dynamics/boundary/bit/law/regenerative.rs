@@ -7,7 +7,7 @@ use super::rules::{CutStart, CutState, LawRules};
 use crate::{
     damage::Damaged,
     dynamics::{
-        assemble::{error::SetupError, numbers::check_numbers},
+        assemble::{SetupError, check_numbers},
         boundary::bit::{
             bottom::Bottom,
             cutters::{Cutters, SteadyCut},

@@ -3,7 +3,7 @@
 use crate::{
     damage::Damaged,
     dynamics::{
-        assemble::error::SetupError,
+        assemble::SetupError,
         boundary::{
             bit::{
                 cutters::SteadyCut,

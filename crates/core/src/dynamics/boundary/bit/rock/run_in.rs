@@ -4,11 +4,11 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 
-use super::{RunIn, law::RockLaw};
+use super::{RockLaw, RunIn};
 use crate::{
     GRAVITY_M_PER_S2,
     dynamics::{
-        assemble::error::SetupError,
+        assemble::SetupError,
         boundary::{
             bit::{law::BitLaw, motor::Drive, settings::BitSettings},
             executor::RockExecutor,
