@@ -58,3 +58,13 @@ pub(crate) fn notes(
 pub(crate) fn unit_set(units: &str) -> UnitSet {
     if units.contains("ft") { UnitSet::Field } else { UnitSet::Si }
 }
+
+// Notes of the reader of tables.
+
+/// Classifies a note as information on reading or as omission of hidden contents.
+pub(crate) fn table_note(text: String) -> Note {
+    match text.ends_with("hidden and not read") {
+        true => Note::LeftOut(text),
+        false => Note::Read(text),
+    }
+}

@@ -5,7 +5,7 @@ mod lines;
 
 use crate::{
     fragment::Note,
-    imported::{Beside, Imported, MEASURED, OVERLAY},
+    import::{Beside, Imported, MEASURED, OVERLAY},
     merge::Draft,
     readings_csv::readings_csv,
 };

@@ -1,7 +1,7 @@
 //! Selection of well, wellbore and case in an export.
 
 use super::{
-    keys::parent,
+    reader::parent,
     row::{Row, Rows},
     table::Table,
 };

@@ -6,8 +6,7 @@ use wholestring::string::{
 };
 
 use super::{
-    keys::children,
-    reader::Reader,
+    reader::{Reader, children},
     row::Row,
     table::Table,
     unit_set::{Found, Measure},

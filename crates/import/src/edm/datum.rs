@@ -2,8 +2,7 @@
 
 use super::{
     chooser::{Chosen, label},
-    keys::parent,
-    reader::Reader,
+    reader::{Reader, parent},
     row::Row,
     table::Table,
     unit_set::{Found, Measure},

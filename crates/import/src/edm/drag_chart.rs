@@ -5,8 +5,7 @@ use wholestring_tabular::ImportedReading;
 use super::{
     chooser::Chosen,
     datum::Depths,
-    keys::children,
-    reader::Reader,
+    reader::{Reader, children},
     table::Table,
     unit_set::{Found, Measure},
 };

@@ -3,8 +3,7 @@
 use super::{
     chooser::Chosen,
     datum::Depths,
-    keys::children,
-    reader::Reader,
+    reader::{Reader, children},
     row::Row,
     table::Table,
     unit_set::{Found, Measure},

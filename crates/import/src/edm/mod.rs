@@ -8,7 +8,6 @@ mod component;
 mod datum;
 mod drag_chart;
 mod hole;
-mod keys;
 mod mud;
 mod reader;
 mod row;

@@ -2,8 +2,7 @@
 
 use super::{
     chooser::{Chosen, label},
-    keys::{agree, children, parent},
-    reader::Reader,
+    reader::{Reader, agree, children, parent},
     row::Row,
     table::Table,
     unit_set::Measure,

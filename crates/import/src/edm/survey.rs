@@ -6,8 +6,7 @@ use wholestring_tabular::{StatedPosition, within_a_turn};
 use super::{
     chooser::{Chosen, label},
     datum::Depths,
-    keys::{agree, children, parent},
-    reader::Reader,
+    reader::{Reader, agree, children, parent},
     row::Row,
     table::Table,
     unit_set::Measure,

@@ -1,19 +1,9 @@
 //! Parts of a case from one file.
 
 mod block;
-mod contents;
-mod note;
-mod origin;
-mod survey;
-mod value;
 
-pub use block::{Block, Entry};
-pub use contents::Contents;
-pub use note::Note;
-pub use origin::Origin;
-pub use survey::Survey;
-pub use value::Value;
-pub(crate) use value::{quoted, rounded};
+pub use block::{Block, Contents, Entry, Note, Origin, Survey, Value};
+pub(crate) use block::{quoted, rounded};
 
 use wholestring_tabular::ImportedReading;
 use wholestring_units::UnitSet;

@@ -7,7 +7,7 @@ use super::{
     moment::{Moment, Order, has_zone, moment, of_excel, packed_time, time_of_day},
     number::{Marks, is_nothing, marked, number},
     quantity::Quantity,
-    row::Row,
+    record::Row,
 };
 use crate::{choices::Choices, error::ImportErrorKind, fragment::Note};
 

@@ -7,8 +7,7 @@ use super::{
     clock::Clock,
     number::{self, Marks, is_nothing, marked},
     quantity::Quantity,
-    record::Record,
-    row::{Row, Rows},
+    record::{Record, Row, Rows},
     watch::Watch,
 };
 use crate::{

@@ -1,7 +1,7 @@
 //! Logs of a rig: measurements at the surface against time or depth.
 //!
 //! LAS, the text of electronic drilling recorders and WITSML each provide columns and
-//! [rows](row::Rows) of cells. The further steps are the same for all: [channels](channel) are
+//! [rows](record::Rows) of cells. The further steps are the same for all: [channels](channel) are
 //! chosen by name and unit, the [clock] reads the time, and a [`Log`] returns one [`Record`] after
 //! the other without holding more than a few rows.
 
@@ -22,7 +22,6 @@ pub(crate) mod picking;
 mod quantity;
 mod read;
 mod record;
-mod row;
 pub(crate) mod sheet;
 mod watch;
 mod witsml;

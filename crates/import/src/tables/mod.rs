@@ -1,6 +1,5 @@
 //! Tables in text and workbooks: surveys, tallies, and weights read at the surface.
 
-mod note;
 mod survey;
 mod tally;
 
@@ -179,7 +178,7 @@ fn readings(bytes: &[u8], name: &str) -> Result<Fragment, ImportError> {
     let (_, checks) = read.clone().measured(units);
     let sentence = |check: &ReadingCheck| check.check.sentence.clone();
     let is_error = |check: &&ReadingCheck| check.check.severity == Severity::Error;
-    let notes = read.notes.into_iter().map(note::of);
+    let notes = read.notes.into_iter().map(crate::doubts::table_note);
     Ok(Fragment {
         units: Some(units),
         what: format!("weights and torques at {} depths of the bit", read.readings.len()),

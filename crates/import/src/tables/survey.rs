@@ -11,7 +11,6 @@ use crate::{
     doubts,
     error::{ImportError, ImportErrorKind},
     fragment::{Entry, Fragment, Note, Origin, Survey, Value},
-    tables::note,
 };
 
 /// Name in `--pick` of one of several surveys in a file, and names in `--unit` of measured depths
@@ -29,7 +28,7 @@ pub(crate) fn read(bytes: &[u8], name: &str, choices: &Choices) -> Result<Fragme
     notes.extend(reference(&survey.preamble));
     notes.extend(survey.notes.iter().map(|text| match is_assumed(text) {
         true => Note::Assumed(text.clone()),
-        false => note::of(text.clone()),
+        false => doubts::table_note(text.clone()),
     }));
     let well = well(&survey.preamble);
     Ok(Fragment {

@@ -4,10 +4,8 @@ use wholestring::well::casing;
 use wholestring_units::{Dimension, number_text};
 
 use super::{
-    depths::datum,
-    kind::Kind,
-    measure::{Measure, Source, name_of, short},
-    object::Object,
+    measure::{Measure, Source, datum, name_of, short},
+    object::{Kind, Object},
     sections::{Wall, innermost},
     tree::Node,
 };

@@ -3,12 +3,9 @@
 
 mod bha_run;
 mod body;
-mod columns;
 mod component;
-mod depths;
 mod fittings;
 mod geometry;
-mod kind;
 mod measure;
 mod mud_report;
 mod object;
@@ -18,8 +15,9 @@ mod trajectory;
 mod tree;
 mod tubular;
 
+use object::Kind;
+
 use self::{
-    kind::Kind,
     measure::{Source, short},
     object::{Object, Objects},
 };

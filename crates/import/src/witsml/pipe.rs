@@ -10,7 +10,7 @@ use super::{
 use crate::{
     error::ImportError,
     fragment::{Block, Note, Origin, Value},
-    grade::yield_psi,
+    pipe::yield_psi,
 };
 
 /// Tolerance within which diameters are those of one pipe, m.

@@ -5,9 +5,7 @@ use wholestring_tabular::{StatedPosition, within_a_turn};
 use wholestring_units::{Dimension, UnitSet};
 
 use super::{
-    columns::Units,
-    depths::datum,
-    measure::{Measure, Source, short},
+    measure::{Measure, Source, Units, datum, short},
     object::Object,
     tree::Node,
 };

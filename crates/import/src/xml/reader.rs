@@ -7,13 +7,11 @@ use quick_xml::{
     events::{BytesStart, Event as XmlEvent},
 };
 
-use super::{
-    capped::{Capped, Taken},
-    decode,
-};
+use super::{Capped, Taken};
 use crate::{
     error::{ImportError, ImportErrorKind},
     input::{Input, unreadable},
+    xml,
 };
 
 /// Maximum nesting of elements.
@@ -80,7 +78,7 @@ impl<'a> Xml<'a> {
     /// Reads a file from its beginning.
     pub(crate) fn new(input: Input<'a>) -> Self {
         let (file, bytes) = input.into_parts();
-        let (bytes, unreadable) = match decode::utf8(Box::new(bytes)) {
+        let (bytes, unreadable) = match xml::utf8(Box::new(bytes)) {
             Ok(Ok(bytes)) => (bytes, None),
             Ok(Err(encoding)) => {
                 let encoding: String = encoding.chars().take(40).collect();

@@ -9,7 +9,7 @@ use super::super::{
     moment::{Order, moment, time_of_day},
     number::{Marks, is_nothing, marked},
     quantity::Quantity,
-    row::{COLUMNS, Row},
+    record::{COLUMNS, Row},
 };
 use crate::error::{ImportError, ImportErrorKind};
 

@@ -7,7 +7,7 @@ use super::{
         lines::{LONGEST_LINE, Lines, text},
         log::{Opened, short},
         number::Marks,
-        row::{Row, Rows},
+        record::{Row, Rows},
     },
     head::{self, Found},
 };

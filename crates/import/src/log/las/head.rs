@@ -10,7 +10,7 @@ use super::{
         moment::{Order, has_zone, moment},
         number::{Marks, marked},
         quantity::Quantity,
-        row::COLUMNS,
+        record::COLUMNS,
     },
     item::{Item, item},
 };

@@ -6,7 +6,7 @@ use super::{
         log::{Opened, short},
         moment::{Order, date, moment, time_of_day},
         number::Marks,
-        row::{Row, Rows},
+        record::{Row, Rows},
     },
     head::{Head, Parted},
 };

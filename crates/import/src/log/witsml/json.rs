@@ -1,6 +1,6 @@
 //! The rows of WITSML 2: `[[[index, ...], [value, ...]], ...]` as JSON.
 
-use super::super::row::Row;
+use super::super::record::Row;
 
 /// Maximum nesting of arrays: an array channel with attributes has five levels.
 const DEEPEST: usize = 16;

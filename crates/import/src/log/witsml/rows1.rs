@@ -1,6 +1,6 @@
 //! The rows of a log of WITSML 1: texts between commas.
 
-use super::super::row::{Row, Rows};
+use super::super::record::{Row, Rows};
 use crate::{
     error::{ImportError, ImportErrorKind},
     fragment::Note,

@@ -9,7 +9,7 @@ use super::{
         mnemonics,
         number::{Marks, number},
         quantity::Quantity,
-        row::COLUMNS,
+        record::COLUMNS,
     },
     pick::{is_picked, missing},
     rows1::{DataRows, First, LOGS},

@@ -7,7 +7,7 @@ use super::{
         mnemonics,
         number::Marks,
         quantity::Quantity,
-        row::{COLUMNS, Row, Rows},
+        record::{COLUMNS, Row, Rows},
     },
     json::Json,
     pick::{is_picked, missing},

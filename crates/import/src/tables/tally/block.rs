@@ -6,18 +6,15 @@ use wholestring_units::{Dimension, number_text};
 
 use super::{
     designation, joints,
-    length::Length,
     mass::{self, Body},
-    metal, order,
-    part::{Part, Refusal},
-    quote::{origin, quantity, unit, written},
-    said::Said,
+    order,
+    part::{self, Length, Part, Refusal},
+    quote::{Said, origin, quantity, unit, written},
 };
 use crate::{
     error::ImportErrorKind,
     fragment::{Block, Note, Origin, Value},
-    grade,
-    pipe::is_pipe,
+    pipe::{self, is_pipe},
 };
 
 /// Yield strengths that a case accepts, Pa.
@@ -140,11 +137,11 @@ pub(crate) fn of(
         id_m: entry.as_ref().map_or(id_m.unwrap_or(0.0), |entry| entry.id_m),
         joint_od_m: joints_m,
         has_blades: blades.is_some(),
-        density_kg_per_m3: metal::density(part)?.map(|(_, density)| density),
+        density_kg_per_m3: part::density(part)?.map(|(_, density)| density),
         entry: entry.as_ref(),
         is_pipe: is_pipe(&part.name),
     };
-    metal::of(part, &mut block)?;
+    part::metal_of(part, &mut block)?;
     // A bit is not a ring of steel, so that any mass is accepted.
     let bit_mass =
         is_bit.then(|| row.get(Column::Mass).is_none() && row.get(Column::TotalMass).is_none());
@@ -266,14 +263,14 @@ fn listed(
 /// Yield strength from the grade.
 fn strength(part: &Part, block: &mut Block, said: &mut Said) {
     let cell = part.row().get(Column::Grade);
-    let of_name = grade::in_name(&part.name);
+    let of_name = pipe::grade_in_name(&part.name);
     let Some((grade, place)) = cell
         .map(|cell| (cell.written.as_str(), cell.place.clone()))
         .or(of_name.map(|grade| (grade, part.row().place.clone())))
     else {
         return;
     };
-    match grade::yield_psi(grade) {
+    match pipe::yield_psi(grade) {
         Some(psi) => block.push(
             "yield_strength",
             Value::quantity(psi, unit(Dimension::Stress, "psi")),

@@ -3,7 +3,11 @@
 use wholestring_tabular::{Column, Holds, TallyCell, TallyRow};
 use wholestring_units::{Dimension, number_text, significant};
 
-use super::{length::Length, part::Refusal, quote::origin, sums};
+use super::{
+    part::{Length, Refusal},
+    quote::origin,
+    sums,
+};
 use crate::{
     choices::Choices,
     error::ImportErrorKind,

@@ -12,8 +12,7 @@ use wholestring_units::{Dimension, number_text, significant};
 
 use super::{
     part::{Part, Refusal},
-    quote::{origin, shown, unit},
-    said::Said,
+    quote::{Said, origin, shown, unit},
 };
 use crate::{
     error::ImportErrorKind,

@@ -1,33 +1,27 @@
 //! A tally in a table: the components of a string.
 
-mod alike;
 mod block;
 mod designation;
 mod joints;
-mod length;
 mod lengths;
 mod mass;
-mod metal;
 mod order;
 mod part;
 mod quote;
-mod said;
 mod sums;
 
+use part::{Length, Part, Refusal};
+use quote::{Said, shown};
 use wholestring::string::nested_casings;
 use wholestring_tabular::{Column, ImportedTally, TableErrorKind, TallyRow, read_tally};
 use wholestring_units::{Dimension, Unit};
 
 use crate::{
     choices::Choices,
+    doubts,
     error::{ImportError, ImportErrorKind},
     fragment::{Block, Fragment, Note, Value},
-    tables::note,
 };
-use length::Length;
-use part::{Part, Refusal};
-use quote::shown;
-use said::Said;
 
 /// Difference up to which two diameters are those of one gauge, m: sizes are rounded to sixteenths of
 /// an inch.
@@ -62,7 +56,7 @@ pub(crate) fn read(
         .map_err(|(place, kind)| ImportError::new(name, place, kind))?;
     let count = string.len();
     let in_sheet = tally.sheet.map_or(String::new(), |sheet| format!(" in sheet '{sheet}'"));
-    notes.extend(tally.notes.into_iter().map(note::of));
+    notes.extend(tally.notes.into_iter().map(doubts::table_note));
     notes.extend(tally.left_out.into_iter().map(Note::LeftOut));
     let what =
         format!("a tally of {count} component{}{in_sheet}", if count == 1 { "" } else { "s" });
@@ -85,7 +79,7 @@ fn blocks(
     if order == order::Order::BitLast {
         parts.reverse();
     }
-    let parts = alike::join(parts, notes);
+    let parts = joints::join(parts, notes);
     if parts.len() > MOST_COMPONENTS {
         let kind = ImportErrorKind::TooMuch {
             found: format!("{} components", parts.len()),

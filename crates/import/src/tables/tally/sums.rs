@@ -3,7 +3,7 @@
 use wholestring_tabular::{Column, Holds, ImportedTally, TallyCell, TallyRow};
 use wholestring_units::number_text;
 
-use super::length::Length;
+use super::part::Length;
 use crate::fragment::{Note, Origin};
 
 /// Maximum number of decimals of a length; further ones are rounding errors.
