@@ -27,7 +27,6 @@ mod catalogue;
 mod dynamics;
 mod edit;
 mod ends;
-mod measured;
 mod modes;
 mod mud;
 mod operation;
@@ -41,24 +40,25 @@ mod uncertain;
 mod values;
 mod well;
 
+pub use beside::Measured;
 pub use bit_test::BitTest;
-pub use case::Case;
-pub use case::build::parse;
-pub use case::likeness::is_case;
-pub use case::new_case::new_case;
-pub use case::parts::Parts;
-pub use case::schema::schema;
-pub use case::template::{Template, load};
+pub use case::{
+    Case,
+    build::parse,
+    parts::Parts,
+    table::schema,
+    template::{Template, is_case, load, new_case},
+};
 pub use catalogue::{OwnCatalogue, catalogue_schema};
 pub use dynamics::records::Records;
-pub use edit::edited::edited;
-pub use edit::overrides::{Override, OverrideError, Quote, long_key};
-pub use edit::vary::{Variation, read_values};
-pub use edit::{Edit, EditError, edit};
-pub use measured::Measured;
+pub use edit::{
+    Edit, EditError, edit,
+    edited::edited,
+    overrides::{Override, OverrideError, Quote, long_key},
+    vary::{Variation, read_values},
+};
 pub use modes::Modes;
-pub use operation::kind::operation_named;
-pub use operation::schedule::refused_set_point;
+pub use operation::{kind::operation_named, schedule::refused_set_point};
 pub use plan::Plan;
 pub use rig::top_drive::usual_speed_controllers;
 pub use string::steel::STEEL_DENSITY_KG_PER_M3;

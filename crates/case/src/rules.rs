@@ -2,5 +2,5 @@
 
 pub use crate::{
     operation::kind::KindRule,
-    values::names::{ModelRule, UNIT_SETS},
+    values::{ModelRule, UNIT_SETS},
 };

@@ -1,13 +1,13 @@
-//! Set points of an operation that concern its bit and its motor.
+//! Inputs of the bit: set points of an operation that concern it and its motor, and those from
+//! other tables.
 
 use wholestring::{
     dynamics::{BitSettings, Motor},
     operation::Operation,
+    rock::DrillingSpec,
 };
-
+use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::Spanned, source::Files};
 use wholestring_units::Dimension;
-
-use wholestring_config::{diagnostic::Diagnostic, reader::Reader, rule::Spanned};
 
 /// The set points that the file gives.
 pub(crate) struct Given<'a> {
@@ -43,4 +43,19 @@ impl Given<'_> {
             );
         }
     }
+}
+
+// Inputs of the bit from other tables.
+
+/// Inputs of the bit from other tables, where they are valid.
+pub(crate) struct Around<'a> {
+    /// Radius of the lowest component, m.
+    pub(crate) radius_m: Option<f64>,
+    /// Flow rate of the pumps, m³/s.
+    pub(crate) flow_m3_per_s: Option<f64>,
+    /// The rock that the bit drills, if it is solid rock.
+    pub(crate) drilling: Option<&'a DrillingSpec>,
+    /// Whether the bit is tested, whatever its law.
+    pub(crate) is_tested: bool,
+    pub(crate) files: &'a dyn Files,
 }

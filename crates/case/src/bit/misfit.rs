@@ -1,11 +1,10 @@
 //! The reason why the numbers of a case do not give the face of a bit.
 
 use wholestring::rock::bit_face::FaceError;
-
-use super::table::BitTable;
+use wholestring_config::{diagnostic::Diagnostic, reader::shown, rule::Table, source::Span};
 use wholestring_units::{Dimension, UnitSet, number_text};
 
-use wholestring_config::{diagnostic::Diagnostic, reader::shown, rule::Table, source::Span};
+use super::build::BitTable;
 
 /// The key of each number, by its name in errors of the face; the diameters are keys of other
 /// tables.

@@ -1,6 +1,5 @@
 //! `[bit]`.
 
-mod around;
 mod build;
 mod excitation;
 mod face;
@@ -11,6 +10,7 @@ mod law;
 mod misfit;
 mod motor;
 mod points;
-mod table;
 
-pub(crate) use self::{around::Around, given::Given, law::Law, misfit::misfit, table::BitTable};
+pub(crate) use self::{given::Given, law::Law, misfit::misfit};
+pub(crate) use build::BitTable;
+pub(crate) use given::Around;

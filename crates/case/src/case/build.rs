@@ -11,10 +11,11 @@ use wholestring::{
 };
 use wholestring_config::{diagnostic::Report, file::tree, kind::Kind, prelude::*, usual};
 
+use super::table;
 use crate::{
     bit::{Around, BitTable, Law},
     bit_test::{self, BitTest},
-    case::{Case, schema, table::CaseTable},
+    case::{Case, table::CaseTable},
     catalogue::OwnCatalogue,
     dynamics::{DynamicsTable, GivenSettings, effort},
     edit::overrides::{self, Override},
@@ -65,7 +66,7 @@ pub(crate) fn parse_changed(
 pub(crate) static CASE_FILE: Kind = Kind {
     noun: "case",
     needs: "it needs [well], [mud], [[string]] and [operation]",
-    tables: || &schema::TABLES,
+    tables: || &table::TABLES,
 };
 
 /// Builds the case. Everything that can be checked is checked, also after a mistake elsewhere.

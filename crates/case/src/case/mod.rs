@@ -2,11 +2,7 @@
 
 pub(crate) mod build;
 mod identity;
-pub(crate) mod likeness;
-mod narrowed;
-pub(crate) mod new_case;
 pub(crate) mod parts;
-pub(crate) mod schema;
 pub(crate) mod table;
 pub(crate) mod template;
 

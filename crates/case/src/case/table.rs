@@ -1,7 +1,10 @@
 //! The top level of a case file.
 
+use std::sync::LazyLock;
+
+use serde_json::{Value as Json, json};
 use wholestring::outcome::ModelKind;
-use wholestring_config::prelude::*;
+use wholestring_config::{prelude::*, rule::Table};
 use wholestring_units::UnitSet;
 
 use crate::{
@@ -17,7 +20,7 @@ use crate::{
     rig::{HoistTable, RigTable, top_drive::TopDriveTable},
     rock::RockTable,
     string::{component::ComponentTable, steel::SteelTable},
-    values::names::{MODELS, ModelRule, UNIT_SETS},
+    values::{MODELS, ModelRule, UNIT_SETS},
     well::WellTable,
 };
 
@@ -81,3 +84,20 @@ table! {
         records: RecordsTable = optional(Section::<RecordsTable>::RULE);
     }
 }
+
+// The JSON schema of the case file, from the same declarations that read it.
+
+/// JSON schema (draft 2020-12) of the case file: every key with its meaning, units, range and
+/// default.
+///
+/// It is generated from the declarations that read the file, so that the two cannot disagree. Rules
+/// that a schema cannot express (relations between keys, the content of the survey) are checked by
+/// [`crate::parse`].
+pub fn schema() -> Json {
+    let mut schema = TABLES.clone();
+    schema["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");
+    schema["title"] = json!("wholestring case");
+    schema
+}
+
+pub(crate) static TABLES: LazyLock<Json> = LazyLock::new(CaseTable::schema);

@@ -11,12 +11,14 @@ use wholestring_config::{
     diagnostic::Report,
     file::{read_file, read_pipe},
     source::{Disk, Files},
+    table::Keys as _,
 };
 
 use crate::{
     case::{
         Case,
         build::{parse, parse_changed},
+        table::CaseTable,
     },
     edit::{edited::edited, overrides::Override},
     uncertain::Uncertain,
@@ -154,4 +156,45 @@ impl Files for Remembered {
         read.insert(path.to_owned(), bytes.clone());
         Ok(bytes)
     }
+}
+
+// A starting case.
+
+/// The case. Its name is filled in.
+const TEMPLATE: &str = include_str!("new_case.toml");
+
+/// The placeholder of the name.
+const NAME: &str = "\"My well\"";
+
+/// Returns the text of a commented starting case with the name `name`.
+pub fn new_case(name: &str) -> String {
+    let name = name.replace('\\', "\\\\").replace('"', "\\\"");
+    TEMPLATE.replacen(NAME, &format!("\"{name}\""), 1)
+}
+
+// Whether a text is intended as a case file, valid or not.
+
+/// Whether a text is intended as a case file, by the names of its tables and of its keys above the
+/// first one; neither its mistakes nor the name of its file matter.
+///
+/// ```
+/// use wholestring_case::is_case;
+///
+/// assert!(is_case("# a well\n[well]\nstations = [oops"));
+/// assert!(!is_case("MD (m),Inc (deg),Azi (deg)\n0,0,0\n30,1,45\n"));
+/// ```
+pub fn is_case(text: &str) -> bool {
+    let names = CaseTable::names();
+    let is_key = |word: &str| names.contains(&word.trim().trim_matches(['"', '\'']));
+    let mut above = true;
+    text.trim_start_matches('\u{feff}').lines().map(str::trim_start).any(|line| {
+        if let Some(header) = line.strip_prefix('[') {
+            above = false;
+            let header = header.trim_start_matches('[');
+            let name = header.split(['.', ']']).next().unwrap_or_default();
+            return header.contains(']') && is_key(name);
+        }
+        let is_value = |value: &str| value.trim_start().starts_with(['"', '\'', '[', '{']);
+        above && line.split_once('=').is_some_and(|(key, value)| is_key(key) && is_value(value))
+    })
 }

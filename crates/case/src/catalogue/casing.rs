@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use wholestring::well::casing::{Casing, CasingGrade, drift_m};
 use wholestring_config::prelude::*;
 
-use crate::string::tubular_rules::{diameter, mass_per_length, yield_strength};
+use crate::string::component::{diameter, mass_per_length, yield_strength};
 
 /// Density of steel, kg/m³.
 const STEEL_KG_PER_M3: f64 = 7850.0;

@@ -8,7 +8,7 @@ use wholestring::string::{
 };
 use wholestring_config::prelude::*;
 
-use crate::string::tubular_rules::{
+use crate::string::component::{
     diameter, joint_spacing, make_up_torque, mass_per_length, yield_strength,
 };
 

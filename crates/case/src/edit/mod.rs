@@ -5,12 +5,11 @@
 //! units; these changes have whole keys and JSON, and also change lists.
 
 pub(crate) mod edited;
+mod lists;
 pub(crate) mod overrides;
 pub(crate) mod vary;
 
-mod array;
 mod place;
-mod tables;
 mod value;
 
 use serde_json::Value as Json;

@@ -4,7 +4,7 @@ use serde_json::Value as Json;
 use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Value};
 
 use super::{
-    array, tables,
+    lists,
     value::{self, table_of},
 };
 
@@ -125,7 +125,7 @@ pub(super) fn remove(document: &mut DocumentMut, key: &str) -> Result<(), Why> {
     if let Some(list) = parent.as_array_of_tables_mut() {
         list.remove(index);
     } else if let Some(list) = parent.as_array_mut() {
-        array::change(list, |items| drop(items.remove(index)));
+        lists::change_array(list, |items| drop(items.remove(index)));
     }
     // A list of tables that becomes empty is removed, because it would not be written.
     if length(parent) == Some(0) && parent.is_array_of_tables() {
@@ -158,10 +158,10 @@ pub(super) fn insert(
         let Json::Object(object) = to else {
             return Err("its items are tables".to_owned());
         };
-        tables::insert(list, at, table_of(object)?);
+        lists::insert_table(list, at, table_of(object)?);
     } else if let Some(list) = list.as_array_mut() {
         let new = value::value(to)?;
-        array::change(list, |items| items.insert(at, array::Element::new(new)));
+        lists::change_array(list, |items| items.insert(at, lists::Element::new(new)));
     }
     Ok(())
 }
@@ -180,9 +180,9 @@ pub(super) fn moved(
         return Err(format!("it has {length} items: there is no place {}", from.max(to)));
     }
     if let Some(list) = list.as_array_of_tables_mut() {
-        tables::move_one(list, from, to);
+        lists::move_table(list, from, to);
     } else if let Some(list) = list.as_array_mut() {
-        array::change(list, |items| {
+        lists::change_array(list, |items| {
             let item = items.remove(from);
             items.insert(to, item);
         });

@@ -4,7 +4,7 @@ use serde_json::{Value as Json, json};
 use wholestring::operation::OperationKind;
 use wholestring_config::{names::all_near, prelude::*};
 
-use crate::values::names::words;
+use crate::values::words;
 
 /// All operations.
 const KINDS: &[(&str, OperationKind)] = words!(OperationKind);

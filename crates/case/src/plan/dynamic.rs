@@ -13,7 +13,7 @@ use wholestring_plan::{
 use crate::{
     operation::kind::KindRule,
     plan::depths::{check_depth, depth, listed_once},
-    values::names::words,
+    values::words,
 };
 
 const EVENTS: &[(&str, Event)] = words!(Event);

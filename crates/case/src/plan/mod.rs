@@ -21,7 +21,7 @@ use wholestring_plan::{
 use wholestring_units::UnitSet;
 
 use crate::{
-    measured::{self, Measured},
+    beside::{self, Measured},
     operation::kind::KindRule,
     plan::{
         campaign::{CampaignTable, FatigueTable},
@@ -33,7 +33,7 @@ use crate::{
         Uncertain,
         table::{self, UncertainTable},
     },
-    values::names::STATICS,
+    values::STATICS,
     well::hole::{FrictionRule, coefficient},
 };
 
@@ -249,7 +249,7 @@ pub(crate) fn build(table: &PlanTable, beside: &Beside<'_>, reader: &mut Reader)
         None => None,
     };
     let measured = match table.measured.optional()? {
-        Some(file) => Some(measured::from_file(file, (setup, units), own, files, reader)?),
+        Some(file) => Some(beside::measured_from_file(file, (setup, units), own, files, reader)?),
         None => None,
     };
     let mut campaign = campaign?;

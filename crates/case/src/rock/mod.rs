@@ -2,7 +2,6 @@
 
 mod drilling;
 mod elements;
-mod limits;
 mod material;
 mod table;
 

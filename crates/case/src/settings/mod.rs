@@ -5,16 +5,9 @@
 
 mod bit;
 mod fields;
-mod hoist;
-mod narrowed;
-mod operation;
-mod rock;
 mod run;
-mod string;
 mod well;
 mod whole;
 
-pub(crate) use self::{
-    narrowed::narrow,
-    whole::{Given, settings},
-};
+pub(crate) use self::whole::{Given, settings};
+pub(crate) use whole::narrow;

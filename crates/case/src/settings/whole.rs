@@ -5,15 +5,14 @@ use wholestring::{
     dynamics::DynamicsSettings, model::Model, operation::Operation, outcome::ModelKind,
     rock::DrillingSpec, statics::soft::SoftSettings,
 };
+use wholestring_config::prelude::word_of;
 use wholestring_units::UnitSet;
 
 use super::{
     bit,
     fields::{Fields, json as to_json},
-    hoist, operation, rock, run, string, well,
+    run, well,
 };
-use wholestring_config::prelude::word_of;
-
 use crate::{
     bit_test::BitTest,
     buckling::{CRITERIA, HELIX_SIDE_FORCE},
@@ -58,7 +57,7 @@ pub(crate) fn settings(inputs: &Given<'_>, case: &CaseTable) -> Json {
     let control = case.hoist.get().and_then(HoistTable::control_word);
     let mut bit = bit::bit(&dynamics.bit, operations);
     if let Some(drilling) = drilling {
-        bit = bit.with("face", rock::face(&drilling.bit));
+        bit = bit.with("face", bit::face(&drilling.bit));
     }
     let mut whole = Fields::empty()
         .with("name", name)
@@ -66,22 +65,22 @@ pub(crate) fn settings(inputs: &Given<'_>, case: &CaseTable) -> Json {
         .with("units", units.name())
         .with("well", well::well(&model.well, survey, tortuosity))
         .with("mud", Fields::of(&model.mud).tag_inside("rheology", "law"))
-        .with("string", string::string(&model.string))
+        .with("string", well::string(&model.string))
         .with("bit", bit)
         .with("rig", to_json(&model.rig))
         .with("ends", Fields::of(&model.ends).words(["top", "bit"]))
         .with("buckling", buckling(model, soft))
-        .with("hoist", hoist::hoist(dynamics, operations, control))
-        .with("top_drive", hoist::top_drive(&dynamics.top_drive))
-        .with("operation", operation::operation(operations, &dynamics.schedule))
+        .with("hoist", well::hoist(dynamics, operations, control))
+        .with("top_drive", well::top_drive(&dynamics.top_drive))
+        .with("operation", run::operation(operations, &dynamics.schedule))
         .with("mesh", run::mesh(dynamics))
         .with("dynamics", run::run(dynamics, checkpoint_interval_s.copied()))
         .with("records", run::records(records));
     if let Some(drilling) = drilling {
-        whole = whole.with("rock", rock::rock(drilling));
+        whole = whole.with("rock", bit::rock(drilling));
     }
     if let Some(test) = bit_test {
-        whole = whole.with("bit_test", rock::bit_test(test));
+        whole = whole.with("bit_test", bit::bit_test(test));
     }
     whole.into()
 }
@@ -90,4 +89,21 @@ fn buckling(model: &Model, soft: &SoftSettings) -> Fields {
     Fields::empty()
         .with("criterion", word_of(CRITERIA, &model.buckling))
         .with("helix_side_force", word_of(HELIX_SIDE_FORCE, &soft.helix_side_force))
+}
+
+// The record of a run of some of a case's operations.
+
+/// Reduces a record of all operations to one of these, solved by these models.
+pub(crate) fn narrow(
+    settings: &mut Json,
+    models: &[ModelKind],
+    operations: &[Operation],
+    dynamics: &DynamicsSettings,
+) {
+    let names: Vec<&str> = models.iter().map(|model| model.name()).collect();
+    let control = settings["hoist"]["control"].as_str().map(str::to_owned);
+    settings["model"] = names.into();
+    settings["bit"]["torque_N_m"] = bit::bit_torque(operations);
+    settings["hoist"] = well::hoist(dynamics, operations, control.as_deref()).into();
+    settings["operation"] = run::operation(operations, &dynamics.schedule).into();
 }

@@ -1,14 +1,12 @@
 //! Components of the string, from their keys.
 
 pub(crate) mod assembly;
-mod blades;
 mod body;
 pub(crate) mod component;
 pub(crate) mod fit;
 mod joints;
 pub(crate) mod named_size;
 pub(crate) mod steel;
-pub(crate) mod tubular_rules;
 
 use wholestring::string::{
     ComponentSpec, Material,

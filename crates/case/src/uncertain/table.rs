@@ -12,7 +12,7 @@ use crate::{
         vary::{Quantity as Amount, Variation},
     },
     uncertain::{Uncertain, UncertainInput},
-    values::names::STATICS,
+    values::STATICS,
 };
 
 /// Default number of samples.

@@ -5,7 +5,7 @@ use std::{collections::BTreeMap, sync::LazyLock};
 use wholestring_config::Json;
 use wholestring_units::{Dimension, Unit};
 
-use crate::{case::schema::TABLES, edit::overrides::long_key};
+use crate::{case::table::TABLES, edit::overrides::long_key};
 
 /// Keys of the settings that no table declares and whose unit does not determine their dimension:
 /// key, name without unit, dimension.

@@ -3,8 +3,8 @@
 use wholestring::dynamics::{BitLaw, DetournayDefournyLaw};
 use wholestring_config::prelude::*;
 
-use super::{cutters::CuttersKeys, front::FrontKeys, law_keys::LawKeys};
-use crate::bit::around::Around;
+use super::law_keys::{CuttersKeys, FrontKeys, LawKeys};
+use crate::bit::given::Around;
 
 /// Defaults.
 const FULL_CONTACT_M: f64 = 0.3e-3;

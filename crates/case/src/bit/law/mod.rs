@@ -1,8 +1,6 @@
 //! The laws of the bit, each with its keys.
 
-mod cutters;
 mod detournay_defourny;
-mod front;
 mod law_keys;
 mod rate;
 mod regenerative;

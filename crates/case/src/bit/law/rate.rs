@@ -3,8 +3,8 @@
 use wholestring::dynamics::{BitLaw, RateLaw};
 use wholestring_config::prelude::*;
 
-use super::{front::FrontKeys, law_keys::LawKeys};
-use crate::bit::around::Around;
+use super::law_keys::{FrontKeys, LawKeys};
+use crate::bit::given::Around;
 
 keys! {
     /// The rate law.

@@ -3,8 +3,8 @@
 use wholestring::dynamics::{BitLaw, RegenerativeLaw};
 use wholestring_config::prelude::*;
 
-use super::{cutters::CuttersKeys, law_keys::LawKeys};
-use crate::bit::{around::Around, kind::Kind};
+use super::law_keys::{CuttersKeys, LawKeys};
+use crate::bit::{given::Around, kind::Kind};
 
 /// Default: the bit of Richard, Germay and Detournay's examples.
 const BLADES: u64 = 4;

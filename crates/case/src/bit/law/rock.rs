@@ -8,8 +8,8 @@ use wholestring_config::prelude::*;
 
 use super::law_keys::LawKeys;
 use crate::bit::{
-    around::Around,
     face::FaceTable,
+    given::Around,
     kind::{Kind, KindKeys},
 };
 

@@ -8,8 +8,11 @@ use wholestring::{
 };
 use wholestring_config::prelude::*;
 
-use super::{front::FrontKeys, law_keys::LawKeys};
-use crate::bit::{around::Around, given::Given, points::PointsTable};
+use super::law_keys::{FrontKeys, LawKeys};
+use crate::bit::{
+    given::{Around, Given},
+    points::PointsTable,
+};
 
 keys! {
     /// A measured law.

@@ -1,7 +1,6 @@
-//! Lists in brackets. A comment after an item belongs to the item and moves with it; the document
-//! stores it in front of the next one.
+//! Lists in brackets, and lists of tables under headings.
 
-use toml_edit::{Array, RawString, Value};
+use toml_edit::{Array, ArrayOfTables, Item, RawString, Table, Value};
 
 /// An item with the text around it.
 pub(super) struct Element {
@@ -22,7 +21,7 @@ impl Element {
 }
 
 /// Changes the items of a list.
-pub(super) fn change(list: &mut Array, change: impl FnOnce(&mut Vec<Element>)) {
+pub(super) fn change_array(list: &mut Array, change: impl FnOnce(&mut Vec<Element>)) {
     let (head, mut elements, end) = taken_apart(list);
     // New items are laid out like the others.
     let indentation = elements.iter().find_map(|element| {
@@ -84,4 +83,61 @@ fn put_together(list: &mut Array, head: String, elements: Vec<Element>, end: Opt
 
 fn text(raw: Option<&RawString>) -> String {
     raw.and_then(RawString::as_str).unwrap_or_default().to_owned()
+}
+
+// Lists of tables under headings. A document writes its tables by their positions, not by their
+// order in a list, so that moving a table means changing its position.
+
+/// Inserts a table.
+pub(super) fn insert_table(list: &mut ArrayOfTables, at: usize, mut table: Table) {
+    // Without a position of its own a table follows the previous one in the list; the first would
+    // follow the text before the list, wherever that is.
+    if at == 0
+        && let Some(first) = list.get(0)
+    {
+        table.set_position(first.position());
+        let prefix = first.decor().prefix().cloned();
+        // The comment above the first heading remains above the list.
+        if let (Some(prefix), Some(first)) = (prefix, list.get_mut(0)) {
+            first.decor_mut().set_prefix("\n");
+            table.decor_mut().set_prefix(prefix);
+        }
+    }
+    list.insert(at, table);
+}
+
+/// Moves a table, with all tables in it.
+pub(super) fn move_table(list: &mut ArrayOfTables, from: usize, to: usize) {
+    let mut positions = Vec::new();
+    let mut last = None;
+    for table in list.iter_mut() {
+        each(table, &mut |table| {
+            last = table.position().or(last);
+            table.set_position(last);
+            positions.extend(last);
+        });
+    }
+    positions.sort_unstable();
+    let table = list.remove(from);
+    list.insert(to, table);
+    let mut positions = positions.into_iter();
+    for table in list.iter_mut() {
+        each(table, &mut |table| {
+            if table.position().is_some() {
+                table.set_position(positions.next());
+            }
+        });
+    }
+}
+
+/// Visits a table and the tables in it, in the order in which they are written.
+fn each(table: &mut Table, visit: &mut impl FnMut(&mut Table)) {
+    visit(table);
+    for (_, item) in table.iter_mut() {
+        match item {
+            Item::Table(inner) => each(inner, visit),
+            Item::ArrayOfTables(inner) => inner.iter_mut().for_each(|inner| each(inner, visit)),
+            _ => {}
+        }
+    }
 }

@@ -1,7 +1,0 @@
-//! `[bit.face]`.
-
-mod misuse;
-mod shape;
-mod table;
-
-pub(crate) use self::table::FaceTable;
