@@ -8,9 +8,8 @@ use wholestring::operation::OperationKind;
 
 use crate::{
     calibration::READINGS,
-    draw::palette::{LINES, PALETTE},
+    draw::palette::{LINES, PALETTE, operation_colour},
     figure::{BAND, CURVE, Stroke},
-    operation_colour::operation_colour,
     plots::{
         catalogue::{RULES, Rules, TimePlot, Track, bit_plots, time_plots, tracks},
         models,

@@ -4,7 +4,7 @@ use serde_json::{Map, Value as Json};
 use wholestring_case::dimension_of;
 use wholestring_units::Dimension;
 
-use crate::{Cell, PageTable, Place, texts::capital};
+use crate::{Cell, PageTable, Place, cell::capital};
 
 /// The settings of a summary: a table for each table of the case file, and one for each list in
 /// them.

@@ -1,6 +1,7 @@
-//! Key facts of an assembly.
+//! Key facts of an assembly: its tendency in sentences, and its numbers as text.
 
-use wholestring_results::BhaSummary;
+use wholestring_results::{BhaSummary, BhaVaried};
+use wholestring_units::{Dimension, UnitSet, without_trailing_zeros};
 
 use crate::{Cell, Fact};
 
@@ -29,4 +30,55 @@ pub(super) fn facts(summary: &BhaSummary) -> Vec<Fact> {
         facts.push(Fact::new("Sag correction of the inclination", correction));
     }
     facts
+}
+
+// Tendency of an assembly to change the inclination of the hole, in sentences.
+
+/// Inclinations at which the assembly holds, or that it builds or drops at all of them, and the mean
+/// side force of all tool faces; empty where neither was computed.
+pub fn bha_tendency(summary: &BhaSummary, units: UnitSet) -> Vec<String> {
+    let mut sentences = Vec::new();
+    let angles = summary.holding_inclinations_rad.iter();
+    let angles: Vec<String> =
+        angles.map(|rad| bha_quantity(*rad, Dimension::Angle, units)).collect();
+    let varied = summary.sweep.iter().filter(|point| point.varied == BhaVaried::Inclination);
+    let first = varied.clone().find_map(|point| point.found);
+    if !angles.is_empty() {
+        sentences.push(format!("It holds at an inclination of {}", angles.join(", ")));
+    } else if let Some(first) = first {
+        let word = if first.side_force_N[0] > 0.0 { "builds" } else { "drops" };
+        sentences.push(format!("It {word} at every inclination that was tried"));
+    }
+    if let Some([high_N, right_N]) = summary.mean_side_force_N {
+        let force = |newton: f64| bha_quantity(newton, Dimension::Force, units);
+        sentences.push(format!(
+            "Mean of all tool faces: {} to the high side, {} to the right",
+            force(high_N),
+            force(right_N)
+        ));
+    }
+    sentences
+}
+
+// Numbers of a static BHA analysis as text.
+
+/// Four digits of a quantity, with its unit.
+pub fn bha_quantity(si: f64, dimension: Dimension, units: UnitSet) -> String {
+    let number = bha_number(si, dimension, units);
+    format!("{} {}", without_trailing_zeros(&number), dimension.unit_in(units).symbol)
+}
+
+/// A number in the chosen unit, with four digits or to the third decimal; a length to the second
+/// decimal at least, because contacts are identified by their depth.
+pub fn bha_number(si: f64, dimension: Dimension, units: UnitSet) -> String {
+    let value = dimension.unit_in(units).from_si(si);
+    let digits = match value.abs() {
+        size if size >= 10.0 && dimension == Dimension::Length => 2,
+        size if size >= 1000.0 => 0,
+        size if size >= 100.0 => 1,
+        size if size >= 10.0 => 2,
+        _ => 3,
+    };
+    let text = format!("{value:.digits$}");
+    if text.trim_matches(['-', '0', '.']).is_empty() { "0".to_owned() } else { text }
 }

@@ -1,25 +1,19 @@
 //! The page of a static BHA analysis, and its pictures.
 
-mod bending;
+mod curves;
 mod facts;
-mod figures;
 mod nodes;
-mod numbers;
-mod shared;
-mod sweeps;
 mod tables;
-mod tendency;
-mod varied;
 mod views;
 
-pub use figures::bha_plots;
-pub use numbers::{bha_number, bha_quantity};
-pub use tendency::bha_tendency;
+pub use facts::{bha_number, bha_quantity, bha_tendency};
+pub use views::bha_plots;
 
+use nodes::Varied;
 use wholestring_results::{BhaSummary, BhaVaried, Table};
 use wholestring_units::UnitSet;
 
-use self::{nodes::Nodes, varied::Varied};
+use self::nodes::Nodes;
 use crate::{PageHead, PageTable, dimensions::in_sets, inputs::input_tables};
 
 /// A static BHA analysis with the head of its page. Numbers are SI; nodes are ordered from the bit

@@ -6,9 +6,12 @@ use wholestring_units::significant;
 
 use super::{
     Bha,
-    shared::{conditions, shown_to_m, three},
+    curves::{self, conditions, shown_to_m, three},
+    nodes::Varied,
+    views,
 };
 use crate::{
+    Plot,
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::DisplayUnits,
 };
@@ -268,4 +271,25 @@ impl View<'_> {
 /// Distance of the middle of a contact from the bit, m.
 fn middle_m(contact: &Contact) -> f64 {
     0.5 * (contact.from_bit_m[0] + contact.from_bit_m[1])
+}
+
+// All pictures of a static BHA analysis.
+
+/// Returns every picture of an assembly, in a set of units (`si`, `metric` or `field`): `views`
+/// (from the side and from above), `bending` (moment and stress), and a picture of each varied
+/// quantity (`toolface`, `weight`, `inclination`); none where nothing was solved.
+pub fn bha_plots(bha: &Bha, units: &str) -> Vec<Plot> {
+    let display = DisplayUnits::new(&bha.head.dimensions, units);
+    if bha.nodes.from_bit_m.len() < 2 {
+        return Vec::new();
+    }
+    let plot = |name: &str, figure| Plot { name: name.into(), figure };
+    let mut plots = vec![
+        plot("views", views::figure(bha, display)),
+        plot("bending", curves::bending_figure(bha, display)),
+    ];
+    let picture =
+        |varied: Varied<'_>| plot(varied.name, curves::sweeps_figure(bha, &varied, display));
+    plots.extend(bha.varied().map(picture));
+    plots
 }

@@ -1,16 +1,15 @@
 //! The page of a bit that was tested alone on the rock, and its pictures.
 
-mod facts;
 mod figures;
 
 pub use figures::bit_test_plots;
 
-use serde_json::json;
+use serde_json::{Value as Json, json};
 use wholestring::rock::TrialOutcome;
 use wholestring_results::{BitTestSummary, Status, bit_test_common};
 use wholestring_units::UnitSet;
 
-use crate::{BottomPicture, Cell, PageHead, PageTable, Place, inputs::input_tables};
+use crate::{BottomPicture, Cell, Fact, PageHead, PageTable, Place, inputs::input_tables};
 
 /// A bit test with the head of its page. Numbers are SI.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,7 +39,7 @@ impl BitTest {
         units: Option<UnitSet>,
     ) -> Self {
         let title = format!("{}: bit test", summary.case);
-        let head = PageHead::new(title, units, Some(&summary.settings), facts::facts(&summary));
+        let head = PageHead::new(title, units, Some(&summary.settings), facts(&summary));
         Self { head, summary, bottoms }
     }
 
@@ -128,6 +127,35 @@ impl BitTest {
             rows: self.sorted().iter().map(row).collect(),
         }
     }
+}
+
+// Key facts of a bit test.
+
+/// Key facts of bit, rock and grid.
+fn facts(summary: &BitTestSummary) -> Vec<Fact> {
+    let test = &summary.settings["bit_test"];
+    let number = |value: &Json| value.as_f64().unwrap_or(f64::NAN);
+    vec![
+        Fact::new("Bit diameter", Cell::quantity(2.0 * summary.bit_radius_m, "diameter")),
+        Fact::new("Strength of the rock", Cell::quantity(summary.rock_strength_Pa, "stress")),
+        Fact::new("Moving mass", Cell::quantity(number(&test["mass_kg"]), "mass")),
+        Fact::new(
+            "Revolutions",
+            Cell::Text(format!(
+                "{} after {}",
+                number(&test["revolutions"]),
+                number(&test["settle_revolutions"])
+            )),
+        ),
+        Fact::new("Points", Cell::Text(summary.points.len().to_string())),
+        Fact::new(
+            "Torque over weight",
+            match summary.response.torque_over_weight_and_radius {
+                Some(slope) => Cell::Text(format!("{slope:.2} of the bit's radius")),
+                None => Cell::Text("no slope: it takes two weights".into()),
+            },
+        ),
+    ]
 }
 
 #[cfg(test)]

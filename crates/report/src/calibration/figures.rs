@@ -6,10 +6,10 @@ use wholestring_results::{CalibrationBand, CalibrationProfile, CalibrationReadin
 use super::Calibration;
 use crate::{
     Plot,
+    draw::palette::operation_colour,
     figure::{
         Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke,
     },
-    operation_colour::operation_colour,
     plots::{DisplayUnits, named},
 };
 

@@ -8,10 +8,10 @@ use super::{
 };
 use crate::{
     Grid, StudyPage, StudyPart, Verdict,
+    cell::four,
     grid_cells::{head, heads, row},
     plots::DisplayUnits,
     study::study_html_in_units,
-    texts::four,
 };
 
 /// Meaning of the page's numbers.

@@ -3,6 +3,8 @@
 
 use std::fmt::Write;
 
+use wholestring::operation::OperationKind;
+
 /// A colour by its name on a page, on paper and on a dark screen.
 #[derive(Debug)]
 pub(crate) struct Colour {
@@ -114,6 +116,24 @@ pub(crate) fn css_by_window() -> String {
         css(),
         properties(|colour| colour.dark),
     )
+}
+
+// Colours of operations.
+
+/// Operations with a colour of their own, in the order of the colours of curves; others share the
+/// next.
+const COLOURED: [OperationKind; 6] = [
+    OperationKind::TripIn,
+    OperationKind::TripOut,
+    OperationKind::RotateOffBottom,
+    OperationKind::Drill,
+    OperationKind::Slide,
+    OperationKind::Ream,
+];
+
+/// Place of an operation among the colours of curves: the same in every picture.
+pub fn operation_colour(kind: OperationKind) -> usize {
+    COLOURED.iter().position(|coloured| *coloured == kind).unwrap_or(COLOURED.len())
 }
 
 #[cfg(test)]

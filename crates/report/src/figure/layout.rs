@@ -4,9 +4,8 @@ use super::{
     Direction, Figure, Mark,
     legend::Legend,
     names, panel,
-    place::{LABEL, Place, TICK, shared_values, widest},
+    place::{self, LABEL, Place, TICK, shared_values, widest},
     ruler::Ruler,
-    scale,
 };
 use crate::draw::{Anchor, Box, Drawing, Ink, fitting, text_width};
 
@@ -55,7 +54,7 @@ fn draw(figure: &Figure) -> Drawing {
     let values: Vec<f64> = marks.flat_map(shared_values).chain(hole).collect();
     let scaled;
     let figure = if figure.layout.direction == Direction::Plan {
-        scaled = scale::to_scale(figure, &values);
+        scaled = place::to_scale(figure, &values);
         &scaled
     } else {
         figure
@@ -175,7 +174,7 @@ impl Grid {
         let right = if has_map { COLOURS } else { names.unwrap_or(0.0).max(7.0) };
         let wide = room - left - right;
         let (wide, height) = match figure.layout.direction {
-            Direction::Plan => scale::frame(figure, (wide, height)),
+            Direction::Plan => place::frame(figure, (wide, height)),
             Direction::Down | Direction::Across => (wide, height),
         };
         let count = (wide / (widest(&about) + 14.0)).clamp(2.0, 12.0);

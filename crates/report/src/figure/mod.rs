@@ -10,7 +10,6 @@ mod outliers;
 mod panel;
 mod place;
 mod ruler;
-mod scale;
 
 use crate::Severity;
 pub use crate::draw::{Hue, Ink};

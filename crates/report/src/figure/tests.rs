@@ -215,13 +215,13 @@ fn a_plan_has_one_scale() {
         let shared: Vec<f64> = points.iter().map(|point| point.0).collect();
         figure.panels[0].marks =
             vec![Mark::Curve { ink: Ink::Line(0), stroke: Stroke::Solid, points }];
-        let scaled = scale::to_scale(&figure, &shared);
+        let scaled = place::to_scale(&figure, &shared);
         let span = |axis: &Axis| match axis.range {
             Range::Fixed(from, to) => to - from,
             _ => panic!("{axis:?}"),
         };
         assert_eq!((span(&scaled.shared), span(&scaled.panels[0].axis)), spans);
-        let (wide, high) = scale::frame(&scaled, (200.0, 100.0));
+        let (wide, high) = place::frame(&scaled, (200.0, 100.0));
         assert!((wide / spans.0 - high / spans.1).abs() < 1e-12);
         assert!(wide <= 200.0 + 1e-9 && high <= 100.0 + 1e-9);
         assert!(wide == 200.0 || (high - 100.0).abs() < 1e-9);

@@ -10,7 +10,7 @@ use wholestring::operation::OperationKind;
 use wholestring_import::picking::{Detail, Kind, Picks, Work};
 use wholestring_units::UnitSet;
 
-use crate::{PageHead, figure::Ink, operation_colour::operation_colour};
+use crate::{PageHead, draw::palette::operation_colour, figure::Ink};
 
 /// Weights picked from a log with the head of their page.
 struct PickedLog<'a> {

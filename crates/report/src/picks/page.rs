@@ -10,11 +10,11 @@ use super::{
 };
 use crate::{
     Grid, StudyPage, StudyPart,
+    cell::capital,
     figure::Figure,
     grid_cells::{heads, row},
     plots::DisplayUnits,
     study::study_html_in_units,
-    texts::capital,
 };
 
 /// Meaning of the pictures.

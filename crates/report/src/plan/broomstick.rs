@@ -5,12 +5,11 @@ use wholestring_results::{PlanPoint, PlanSurfaceLimit};
 
 use super::{
     Plan,
-    curves::{Curve, hook_load_N, surface_torque_N_m},
-    depth_figure::{line, over_depth},
+    curves::{Curve, hook_load_N, line, over_depth, surface_torque_N_m},
     measured, overlay, surface_limit_is_near, surface_limit_title,
 };
-use crate::operation_colour::operation_colour;
 use crate::{
+    draw::palette::operation_colour,
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::DisplayUnits,
     uncertain::Uncertain,

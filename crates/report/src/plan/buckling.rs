@@ -2,8 +2,7 @@
 
 use super::{
     Plan,
-    curves::{BucklingCurve, buckling_weights_N},
-    depth_figure::{line, over_depth},
+    curves::{BucklingCurve, buckling_weights_N, line, over_depth},
 };
 use crate::{
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Shape, Stroke},

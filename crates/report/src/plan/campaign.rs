@@ -3,9 +3,7 @@
 use wholestring_results::{PlanFatigue, PlanWear};
 
 use super::Plan;
-use crate::grid_cells::head;
-use crate::texts::four;
-use crate::{Grid, StudyPart, Verdict, plots::DisplayUnits};
+use crate::{Grid, StudyPart, Verdict, cell::four, grid_cells::head, plots::DisplayUnits};
 
 /// A damage, or a worn part of a wall, above which its colour is no longer that of a good state.
 const MUCH: f64 = 0.5;

@@ -2,13 +2,12 @@
 
 use wholestring::operation::OperationKind;
 use wholestring_judge::CheckKind;
-use wholestring_results::{PlanCheck, PlanOperation};
+use wholestring_results::{PlanCheck, PlanOperation, PlanSurfaceLimit};
 
 use super::Plan;
-use crate::grid_cells::head;
-use crate::texts::four;
 use crate::{
-    Grid, Severity, StudyPart, Verdict, check_row::printed, plots::DisplayUnits, shown_dimension,
+    Grid, Severity, StudyPart, Verdict, cell::four, check_row::printed, grid_cells::head,
+    plots::DisplayUnits, shown_dimension,
 };
 
 /// Limits with a load and a capacity.
@@ -184,4 +183,28 @@ fn part(title: &str, caption: String, grid: Grid) -> StudyPart {
         files: "plan_limits".to_owned(),
         endings: &["csv", "parquet"],
     }
+}
+
+// Limits of hook load and torque at the surface.
+
+/// A limit beyond the curves by more than this factor is written, not drawn, because it would
+/// flatten them.
+pub(super) const FAR: f64 = 1.35;
+
+/// Title of the line of a limit: `hoist`, `pipe, torsion`, ...
+pub fn surface_limit_title(limit: &PlanSurfaceLimit) -> &str {
+    match CheckKind::named(&limit.kind) {
+        Some(CheckKind::Hoist) => "hoist",
+        Some(CheckKind::Tension) => "pipe, tension",
+        Some(CheckKind::Torsion) => "pipe, torsion",
+        Some(CheckKind::MakeUp) => "make-up",
+        Some(CheckKind::TopDrive) => "top drive",
+        Some(CheckKind::TopDrivePeak) => "top drive, peak",
+        _ => &limit.kind,
+    }
+}
+
+/// Whether a limit is drawn with curves up to this value, N or N·m.
+pub fn surface_limit_is_near(limit: &PlanSurfaceLimit, largest: f64) -> bool {
+    limit.allowed <= FAR * largest
 }

@@ -4,13 +4,13 @@ use wholestring::operation::OperationKind;
 use wholestring_results::PlanMeasured;
 
 use super::Plan;
-use crate::operation_colour::operation_colour;
 use crate::{
     Grid, StudyPart, Verdict,
+    cell::four,
+    draw::palette::operation_colour,
     figure::{Ink, Key, Mark, Sample, Shape},
     grid_cells::{head, row},
     plots::DisplayUnits,
-    texts::four,
 };
 
 /// The shape of measured points: no other model's points have it.

@@ -4,10 +4,6 @@ mod broomstick;
 mod buckling;
 mod campaign;
 mod curves;
-mod depth_figure;
-mod facts;
-mod figures;
-mod histories;
 mod levels;
 mod limits;
 mod measured;
@@ -15,16 +11,11 @@ mod mud;
 mod overlay;
 mod page;
 mod peaks;
-mod surface;
 mod tables;
 
-#[cfg(test)]
-mod tests;
-
-pub use figures::{PLAN_PICTURES, plan_plots};
 pub use levels::{STROKES as FRICTION_STROKES, plan_friction_label};
-pub use page::plan_html;
-pub use surface::{surface_limit_is_near, surface_limit_title};
+pub use limits::{surface_limit_is_near, surface_limit_title};
+pub use page::{PLAN_PICTURES, plan_html, plan_plots};
 
 use wholestring::{operation::OperationKind, well::FrictionLevel};
 use wholestring_results::{
@@ -32,8 +23,8 @@ use wholestring_results::{
 };
 use wholestring_units::UnitSet;
 
-use self::{histories::History, levels::Level};
-use crate::{PageHead, uncertain::Uncertain};
+use self::levels::{History, Level};
+use crate::{Cell, Fact, PageHead, uncertain::Uncertain};
 
 /// A plan with the head of its page. Numbers are SI; a value without an answer is not a number.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,9 +44,9 @@ impl Plan {
     /// these units, by default in those of the case.
     pub fn new(summary: PlanSummary, samples: &[PlanPeakSample], units: Option<UnitSet>) -> Self {
         let title = format!("{}: plan", summary.case);
-        let head = PageHead::new(title, units, Some(&summary.settings), facts::facts(&summary));
+        let head = PageHead::new(title, units, Some(&summary.settings), facts(&summary));
         let levels = FrictionLevel::ALL.map(|level| Level::new(&summary, level));
-        let histories = histories::histories(&summary.peaks, samples);
+        let histories = levels::histories(&summary.peaks, samples);
         Self { head, summary, levels, histories }
     }
 
@@ -103,3 +94,31 @@ impl Plan {
         texts.iter().map(move |text| self.summary.texts.in_units(text, units))
     }
 }
+
+// Key facts of a plan.
+
+/// Facts of the head of the page.
+fn facts(summary: &PlanSummary) -> Vec<Fact> {
+    let quantity = |number: Option<f64>, dimension: &str| {
+        number.map_or(Cell::Nothing, |value| Cell::quantity(value, dimension))
+    };
+    let names: Vec<&str> = summary.operations.iter().map(|operation| operation.words()).collect();
+    let models: Vec<String> =
+        summary.models.iter().map(|model| format!("{model} string")).collect();
+    let frictions = FrictionLevel::ALL.map(|level| plan_friction_label(summary, level));
+    let depths = &summary.bit_depths_m;
+    let ends = [depths.first(), depths.last()].map(|depth| depth.copied().unwrap_or(f64::NAN));
+    vec![
+        Fact::new("Operations", Cell::Text(names.join(", "))),
+        Fact::new("Solved by", Cell::Text(models.join(", "))),
+        Fact::new("Friction", Cell::Text(frictions.join(", "))),
+        Fact::new("Bit depths", Cell::Text(depths.len().to_string())),
+        Fact::new("From", Cell::quantity(ends[0], "length")),
+        Fact::new("To", Cell::quantity(ends[1], "length")),
+        Fact::new("Mud density", quantity(summary.mud_density_kg_per_m3(), "density")),
+        Fact::new("Weight of the block", quantity(summary.block_weight_N(), "force")),
+    ]
+}
+
+#[cfg(test)]
+mod tests;

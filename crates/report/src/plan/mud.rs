@@ -4,8 +4,8 @@ use wholestring_results::{PlanDensity, PlanHydraulics};
 
 use super::{
     Plan,
-    depth_figure::{line, over_depth},
-    surface::FAR,
+    curves::{line, over_depth},
+    limits::FAR,
 };
 use crate::{
     figure::{Axis, Figure, Ink, Key, Mark, Panel, Range, Sample, Shape, Stroke},

@@ -6,10 +6,10 @@ use wholestring_results::PlanOverlayRow;
 use super::Plan;
 use crate::{
     Grid, StudyPart, Verdict,
+    cell::four,
     figure::{Ink, Key, Mark, Sample, Stroke},
     grid_cells::{head, row},
     plots::DisplayUnits,
-    texts::four,
 };
 
 /// The line of another program: no friction and no operation of this plan has it.

@@ -1,7 +1,12 @@
 //! The page of a plan as one self-contained file.
 
-use super::{Plan, campaign, figures::plan_plots, limits, measured, overlay, peaks, tables};
-use crate::{StudyPage, StudyPart, plots::DisplayUnits, study::study_html_in_units, uncertain};
+use super::{Plan, broomstick, buckling, campaign, limits, measured, mud, overlay, peaks, tables};
+use crate::{
+    Plot, StudyPage, StudyPart,
+    plots::{DisplayUnits, named},
+    study::study_html_in_units,
+    uncertain,
+};
 
 /// Meaning of the page's numbers.
 const ABOUT: &str = "Hook load and surface torque against the depth of the bit: the string, cut at \
@@ -108,4 +113,25 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
         description,
         parts,
     }
+}
+
+// All pictures of a plan.
+
+/// Names of the pictures of a plan.
+pub const PLAN_PICTURES: [&str; 6] =
+    ["hook_load", "torque", "buckling_weight", "hydraulics", "uncertain", "peaks"];
+
+/// Returns every picture of a plan with content, in a set of units (`si`, `metric` or `field`).
+pub fn plan_plots(plan: &Plan, units: &str) -> Vec<Plot> {
+    let display = DisplayUnits::new(&plan.head.dimensions, units);
+    let owed = plan.samples();
+    let figures = [
+        broomstick::hook_load(plan, display),
+        broomstick::torque(plan, display),
+        buckling::figure(plan, display),
+        mud::figure(plan, display),
+        owed.and_then(|samples| uncertain::figure(samples, &plan.head.title)),
+        peaks::figure(plan, display),
+    ];
+    named(PLAN_PICTURES, figures)
 }

@@ -5,15 +5,14 @@ use wholestring_results::{PlanPeak, PlanPeakOf};
 
 use super::{
     Plan,
-    histories::History,
-    levels::STROKES,
-    surface::{FAR, surface_limit_is_near, surface_limit_title},
+    levels::{History, STROKES},
+    limits::{FAR, surface_limit_is_near, surface_limit_title},
 };
-use crate::grid_cells::{head, row};
-use crate::texts::{capital, four};
 use crate::{
     Grid, StudyPart,
+    cell::{capital, four},
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape},
+    grid_cells::{head, row},
     plots::DisplayUnits,
     thin::thinned,
 };

@@ -8,9 +8,12 @@ use super::{
     curves::{buckling_weights_N, hook_load_N, surface_torque_N_m},
     mud::{STATES, at_shoe_kg_per_m3, has_shoe},
 };
-use crate::grid_cells::{head, row};
-use crate::texts::four;
-use crate::{Grid, StudyPart, Verdict, plots::DisplayUnits};
+use crate::{
+    Grid, StudyPart, Verdict,
+    cell::four,
+    grid_cells::{head, row},
+    plots::DisplayUnits,
+};
 
 /// Number of reasons that are listed; further ones are counted.
 const REASONS: usize = 8;

@@ -3,12 +3,12 @@
 use wholestring_judge::DepthLimit;
 use wholestring_results::UncertainBand;
 
-use super::{Reach, curves::ReachCurve, is_first, sentences};
+use super::{Reach, ReachCurve, is_first, sentences};
 use crate::{
     Plot,
+    cell::capital,
     figure::{Axis, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Shape, Stroke},
     plots::{DisplayUnits, named},
-    texts::capital,
     uncertain::{self, Uncertain},
 };
 

@@ -1,6 +1,5 @@
 //! The page of a reach, and its pictures.
 
-mod curves;
 mod figures;
 mod page;
 mod sentences;
@@ -9,12 +8,13 @@ pub use figures::{REACH_PICTURES, reach_plots};
 pub use page::reach_html;
 pub use sentences::{reach_answers, reach_notes};
 
+use wholestring::operation::OperationKind;
+use wholestring_judge::DepthLimit;
 use wholestring_results::{
     ReachLimit, ReachMargin, ReachOfFriction, ReachSummary, UncertainTables,
 };
 use wholestring_units::UnitSet;
 
-use self::curves::ReachCurve;
 use crate::{Cell, Fact, PageHead, uncertain::Uncertain};
 
 /// A reach with the head of its page. Numbers are SI.
@@ -34,7 +34,7 @@ impl Reach {
     pub fn new(summary: ReachSummary, margins: &[ReachMargin], units: Option<UnitSet>) -> Self {
         let title = format!("{}: reach", summary.case);
         let head = PageHead::new(title, units, Some(&summary.settings), facts(&summary));
-        let curves = curves::curves(margins, &summary);
+        let curves = curves(margins, &summary);
         Self { head, summary, curves }
     }
 
@@ -69,6 +69,37 @@ fn facts(summary: &ReachSummary) -> Vec<Fact> {
         Fact::new("To", Cell::quantity(summary.to_m, "length")),
         Fact::new("Inclination", Cell::quantity(summary.inclination_rad, "angle")),
     ]
+}
+
+// Margins of a reach as curves against depth.
+
+/// The margin of a limit against the depth of the bit.
+#[derive(Debug, Clone, PartialEq)]
+struct ReachCurve {
+    /// The operation.
+    operation: OperationKind,
+    /// The limit.
+    limit: DepthLimit,
+    /// Place of the friction.
+    friction: usize,
+    /// Depth of the bit, m, and the remaining margin; not a number for a string that is locked up.
+    points: Vec<(f64, f64)>,
+}
+
+/// Curves of `reach.parquet`: rows that differ only in depth.
+fn curves(margins: &[ReachMargin], summary: &ReachSummary) -> Vec<ReachCurve> {
+    let key = |row: &ReachMargin| (row.operation, row.limit, row.friction.map(f64::to_bits));
+    let curve = |rows: &[ReachMargin]| {
+        let first = rows.first()?;
+        let place = summary.frictions.iter().position(|reach| reach.friction == first.friction);
+        Some(ReachCurve {
+            operation: first.operation,
+            limit: first.limit,
+            friction: place.unwrap_or(0),
+            points: rows.iter().map(|row| (row.bit_depth_m, row.margin)).collect(),
+        })
+    };
+    margins.chunk_by(|one, other| key(one) == key(other)).filter_map(curve).collect()
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ use wholestring_study::{Figure, FigureData, Quantity, Statistic};
 use wholestring_units::{Dimension, UnitSet};
 
 use super::StudyPart;
-use crate::{dimensions::pretty_symbol, figure::Figure as Picture, texts::capital};
+use crate::{cell::capital, dimensions::pretty_symbol, figure::Figure as Picture};
 
 /// Identity of a result apart from its case: its sweep, the model and the operation. A column of a
 /// table, a line style of a figure.

@@ -1,7 +1,6 @@
 //! The page of a study, and its figures and tables.
 
 mod figure;
-mod map;
 mod page;
 mod picture;
 mod styles;

@@ -1,14 +1,13 @@
 //! Contents of the page of a sweep, and its pictures.
 
 mod drawing;
-mod figures;
 mod legend;
 mod panel;
 mod row;
 mod varied;
 mod verdict;
 
-pub use figures::sweep_plots;
+pub use drawing::sweep_plots;
 pub(crate) use row::SweepRow;
 pub(crate) use verdict::SweepVerdict;
 

@@ -1,7 +1,7 @@
 //! The key of a sweep that its figures have as an axis.
 
 use super::Sweep;
-use crate::texts::capital;
+use crate::cell::capital;
 
 /// The axis of the varied key.
 pub(super) enum Varied {

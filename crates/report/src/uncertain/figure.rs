@@ -5,8 +5,8 @@ use wholestring_results::UncertainBand;
 
 use super::Uncertain;
 use crate::{
+    draw::palette::operation_colour,
     figure::{Axis, Direction, Figure, Ink, Key, Layout, Mark, Panel, Range, Sample, Scale, Shape},
-    operation_colour::operation_colour,
 };
 
 /// Quantities with bars, and the heading of their panel.

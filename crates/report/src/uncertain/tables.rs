@@ -3,15 +3,13 @@
 use wholestring::operation::OperationKind;
 use wholestring_results::UncertainBand;
 
-use super::{
-    Uncertain, uncertain_notes,
-    words::{self, dimension, title},
-};
+use super::{Uncertain, dimension, title, uncertain_notes};
 use crate::{
     Grid, StudyPart, Verdict,
+    cell::four,
     grid_cells::{head, row},
     plots::DisplayUnits,
-    texts::four,
+    uncertain,
 };
 
 /// A fit that predicts less of the variance than this is of little use.
@@ -124,7 +122,7 @@ pub(crate) fn owed(uncertain: Uncertain<'_>) -> Option<StudyPart> {
 pub(crate) fn stops(uncertain: Uncertain<'_>) -> Option<StudyPart> {
     let heads = vec![head("stops the well first", true), head("samples", false)];
     let stops = uncertain.summary.stops.iter();
-    let rows = stops.map(|stop| row(vec![words::stop(stop), stop.samples.to_string()]));
+    let rows = stops.map(|stop| row(vec![uncertain::stop(stop), stop.samples.to_string()]));
     let grid = Grid { heads, rows: rows.collect() };
     part(
         "Limits that stop the samples",

@@ -1,8 +1,6 @@
 //! Drawn quantities of a run: one list for the page and for the files. The selection, order and
 //! form are chosen here; name and unit of each are in its declaration.
 
-mod contact;
-mod drill_off;
 mod node;
 mod time_plots;
 mod tracks;
@@ -14,14 +12,15 @@ use wholestring::{
 };
 
 pub(crate) use self::{
-    contact::{ContactPlot, contact_columns, contact_plots},
-    drill_off::{DrillOffPlot, drill_off_columns, drill_off_plots},
     node::{NodeChannel, StringColour, frame_columns, node_channels, string_colours},
     time_plots::{TimePlot, bit_plots, time_plots},
     tracks::{Source, Track, tracks},
 };
 use super::near::JOINT_REACH_M;
 use crate::figure::{OUTLIERS, Outliers};
+pub(crate) use node::{
+    ContactPlot, DrillOffPlot, contact_columns, contact_plots, drill_off_columns, drill_off_plots,
+};
 
 /// Rules for drawing tracks, on the page and in files alike.
 #[derive(Debug, Clone, Copy, Serialize)]

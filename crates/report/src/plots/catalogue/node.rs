@@ -1,9 +1,10 @@
-//! Quantities of single nodes, and quantities that colour the string in space.
+//! Quantities of single nodes, of maps of contact over depth and time, and against the weight on
+//! bit.
 
 use serde::Serialize;
 use wholestring::{
     dynamics::FRAME,
-    outcome::{PROFILE, Quantity},
+    outcome::{CONTACT_MAP, PROFILE, Quantity, TIME_SERIES},
 };
 
 use super::{Shows, declared};
@@ -44,7 +45,7 @@ pub(crate) struct StringColour {
     #[serde(flatten)]
     pub(crate) shows: Shows,
     /// Whether its sign is a side of the hole.
-    pub(crate) signed: bool,
+    signed: bool,
 }
 
 /// Quantities that can colour the string, in the order of the choice.
@@ -64,4 +65,76 @@ pub(crate) fn string_colours() -> Vec<StringColour> {
         amount(declared!(PROFILE, von_mises_stress_max_Pa)),
         titled(amount(declared!(PROFILE, contact_fraction)), "Share of time in contact"),
     ]
+}
+
+// Quantities of maps of contact over depth and time.
+
+/// A map of contact.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct ContactPlot {
+    /// Name of its file.
+    #[serde(skip)]
+    pub(crate) name: &'static str,
+    #[serde(flatten)]
+    pub(crate) shows: Shows,
+    /// Whether its sign is a side of the hole.
+    pub(crate) sides: bool,
+    /// Minimum span of the axis of the history at one depth, SI.
+    pub(crate) min_span: f64,
+}
+
+/// The maps, in the order of the choice; the first is initially shown.
+pub(crate) fn contact_plots() -> [ContactPlot; 2] {
+    let map = |name, quantity, sides| ContactPlot {
+        name,
+        shows: Shows::of(quantity),
+        sides,
+        min_span: 100.0,
+    };
+    [
+        map("map-side-force", declared!(CONTACT_MAP, side_force_N_per_m), true),
+        map("map-contact-force", declared!(CONTACT_MAP, contact_force_N_per_m), false),
+    ]
+}
+
+/// The columns of `contact.parquet` that are drawn as maps.
+pub(crate) fn contact_columns() -> [&'static str; 2] {
+    contact_plots().map(|plot| plot.shows.column)
+}
+
+// Quantities drawn against the weight on bit.
+
+/// A quantity of the bit against its weight.
+#[derive(Debug, Clone, Serialize)]
+pub(crate) struct DrillOffPlot {
+    #[serde(flatten)]
+    pub(crate) shows: Shows,
+    /// Heading on a page.
+    pub(crate) heading: String,
+    /// Minimum span of the axis, SI.
+    pub(crate) min_span: f64,
+}
+
+/// The weight, then the quantities drawn against it.
+pub(crate) fn drill_off_plots() -> [DrillOffPlot; 3] {
+    let plot = |quantity: &'static Quantity, min_span| DrillOffPlot {
+        heading: format!("{} against weight", quantity.label()),
+        shows: Shows::of(quantity),
+        min_span,
+    };
+    let torque = plot(declared!(TIME_SERIES, bit_torque_N_m), 500.0);
+    [
+        plot(declared!(TIME_SERIES, weight_on_bit_N), 1e4),
+        plot(declared!(TIME_SERIES, rate_of_penetration_m_per_s), 5e-4),
+        DrillOffPlot {
+            heading: "Torque against weight".into(),
+            shows: torque.shows.titled("Torque on bit"),
+            ..torque
+        },
+    ]
+}
+
+/// The columns of `time.parquet` that are drawn against the first of them, the weight on bit.
+pub(crate) fn drill_off_columns() -> [&'static str; 3] {
+    drill_off_plots().map(|plot| plot.shows.column)
 }
