@@ -11,7 +11,6 @@ mod broomstick;
 pub mod calibration;
 mod campaign;
 pub mod dynamic;
-mod error;
 pub mod fatigue;
 pub mod hydraulics;
 pub mod reach;
@@ -25,8 +24,7 @@ pub use broomstick::{
     KindFriction, LevelFriction, PointAnswer, Statics, bit_depths_m,
 };
 pub use campaign::{Campaign, CampaignPart, CampaignSettings, Share};
-pub use error::PlanError;
-pub use setup::{Setup, WallFriction};
+pub use setup::{PlanError, Setup, WallFriction};
 pub use stage::{Stage, lengths_m};
 pub use wholestring::well::FrictionLevel;
 pub use wholestring_judge::root;

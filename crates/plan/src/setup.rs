@@ -10,6 +10,8 @@ use wholestring::{
     well::{Friction, Hole, HoleError, HoleKind, HoleSection, Well},
 };
 
+use crate::wear::CasingError;
+
 /// Least length of pipe above the assembly, m, because a string of its assembly alone is not a
 /// string.
 const LEAST_PIPE_M: f64 = 1.0;
@@ -167,14 +169,29 @@ fn length_m(component: &ComponentSpec) -> f64 {
     }
 }
 
+// Errors of a plan.
+
+/// The reason why there is no plan.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PlanError {
+    /// The friction factors are not valid for the hole.
+    #[error(transparent)]
+    Hole(#[from] HoleError),
+    /// A casing cannot be worn.
+    #[error(transparent)]
+    Casing(#[from] CasingError),
+}
+
 #[cfg(test)]
 mod tests {
-    use super::*;
     use wholestring::{
         prelude::*,
         statics::soft::soft_string,
         string::{ComponentLength::Metres, ComponentSpec},
     };
+
+    use super::*;
 
     fn setup() -> Setup {
         let path = Path::minimum_curvature(&[

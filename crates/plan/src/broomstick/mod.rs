@@ -7,16 +7,14 @@
 
 mod answer;
 mod buckling_weight;
-mod depths;
 mod expected;
 mod friction;
 mod point;
 
 pub use buckling_weight::BucklingWeight;
-pub use depths::bit_depths_m;
 pub use expected::ExpectedLoads;
 pub use friction::{Frictions, KindFriction, LevelFriction};
-pub use point::{BroomstickPoint, PointAnswer, Statics};
+pub use point::{BroomstickPoint, PointAnswer, Statics, bit_depths_m};
 
 use wholestring::{
     operation::Operation,

@@ -5,8 +5,6 @@
 //! [`EventAnswer`] contains its peaks and the steady values after them. Theory:
 //! `docs/src/theory/peaks.md`.
 
-mod event;
-mod extremes;
 mod peak;
 mod settings;
 mod solve;

@@ -9,11 +9,11 @@ use wholestring::{
     outcome::Solution,
     string::AssemblyError,
 };
-
 use wholestring_judge::Check;
 
 use super::{
-    DynamicPlan, Event, History, Peak, event::bears_on, extremes::Extremes, peak::Toward,
+    DynamicPlan, Event, History, Peak,
+    peak::{Extremes, Toward, bears_on},
     settings::REST_S,
 };
 use crate::{

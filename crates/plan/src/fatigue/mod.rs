@@ -6,13 +6,12 @@
 //! `docs/src/theory/fatigue.md`.
 
 mod damage;
-mod dogleg;
-mod goodman;
 mod rate;
 mod sn_curve;
 
 pub use damage::{CELL_M, Damage, DamageRow};
-pub use dogleg::{EnduranceCurve, permissible_dogleg_rad_per_m};
-pub use goodman::{equivalent_amplitude_Pa, minimum_tensile_strength_Pa};
 pub use rate::{FatigueRow, FatigueSettings, rows};
-pub use sn_curve::SnCurve;
+pub use sn_curve::{
+    EnduranceCurve, SnCurve, equivalent_amplitude_Pa, minimum_tensile_strength_Pa,
+    permissible_dogleg_rad_per_m,
+};

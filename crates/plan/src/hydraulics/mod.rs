@@ -5,14 +5,12 @@
 //! of a column with the pressure of mud and friction together, `ρ + Δp/(g z)` at the vertical depth
 //! `z`. Theory: `docs/src/theory/mud.md`.
 
-mod gel;
 mod passage;
 #[cfg(test)]
 mod tests;
 mod trip;
 
-pub use gel::{GelBreak, gel_break};
-pub use trip::StringEnd;
+pub use trip::{GelBreak, StringEnd, gel_break};
 
 use wholestring::{
     GRAVITY_M_PER_S2,

@@ -12,7 +12,6 @@
 //! `docs/src/theory/reach.md`.
 
 mod margin;
-mod passage;
 mod search;
 mod settings;
 

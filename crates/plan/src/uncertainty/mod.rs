@@ -10,13 +10,11 @@
 mod bands;
 mod chaos;
 mod distribution;
-mod indices;
 mod latin;
 mod normal;
 mod polynomials;
 
 pub use bands::Bands;
-pub use chaos::{Attribution, attribute};
+pub use chaos::{Attribution, Indices, attribute, sampled_indices};
 pub use distribution::{Distribution, DistributionError};
-pub use indices::{Indices, sampled_indices};
 pub use latin::latin_hypercube;
