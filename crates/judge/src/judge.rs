@@ -15,13 +15,13 @@ use wholestring_units::UnitSet;
 
 use crate::{
     Check, CheckKind, Checks, DepthLimit, Descent, LimitSettings, Missing, NoAnswer, Severity,
-    along, buckling, descent, hydraulics, lateral_force,
+    along, buckling, descent, hydraulics,
     loads::Loads,
-    motion, numerics, overpull, rig,
+    motion, numerics, rig,
     sentence::{Words, depth, unsolved},
-    side_force, steadiness,
-    strengths::Strengths,
-    weight_on_bit,
+    steadiness,
+    strengths::{self, Strengths},
+    unchecked, weight_on_bit,
     window::Window,
 };
 
@@ -75,7 +75,7 @@ impl Judge {
     pub fn soft(&self, model: &Model, operation: &Operation, profile: &SoftProfile) -> Checks {
         let solution = Solution::from(profile);
         let mut checks = self.at_rest(model, operation, &solution);
-        checks.checks.extend(lateral_force::left_out(model));
+        checks.checks.extend(unchecked::lateral_force_left_out(model));
         self.worded(checks, model, &solution)
     }
 
@@ -372,8 +372,8 @@ impl Judge {
     ) {
         let strengths = Strengths::of(model, checks);
         along::limits(model, &strengths, loads, &self.limits, checks);
-        side_force::limits(model, loads, &self.limits, checks);
-        overpull::limits(model, operation, &strengths, loads, &self.limits, checks);
+        strengths::side_force_limits(model, loads, &self.limits, checks);
+        strengths::overpull_limits(model, operation, &strengths, loads, &self.limits, checks);
         rig::limits(model, operation, loads, &self.limits, checks);
         checks.checks.extend(loads.hydraulics.as_ref().and_then(hydraulics::implausible));
         let line = buckling::Line::of(model, operation, loads.profile);

@@ -1,6 +1,8 @@
 //! Settings of the limits, in addition to the model.
 
-use crate::DesignFactors;
+pub use crate::kind::DesignFactors;
+
+use crate::CheckKind;
 
 /// Settings of the limits.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -22,5 +24,16 @@ impl Default for LimitSettings {
             overpull_N: 444.822e3,
             side_force_per_joint_N: None,
         }
+    }
+}
+
+// Required factors of the limits.
+
+impl DesignFactors {
+    /// The first kind whose factor is not a positive number, and that factor.
+    pub fn bad_factor(&self) -> Option<(CheckKind, f64)> {
+        let factors = CheckKind::LIMITS.iter().map(|kind| (*kind, self.required(*kind)));
+        let good = |factor: f64| factor.is_finite() && factor > 0.0;
+        factors.into_iter().find(|(_, factor)| !good(*factor))
     }
 }

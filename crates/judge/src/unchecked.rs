@@ -1,8 +1,9 @@
 //! Limits that could not be checked, and the missing number.
 
 use serde::{Deserialize, Serialize};
+use wholestring::model::Model;
 
-use crate::CheckKind;
+use crate::{Check, CheckKind, Severity};
 
 /// A number that a check would have needed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
@@ -82,4 +83,16 @@ impl Unchecked {
         }
         sentences
     }
+}
+
+// Forces across the string that a model leaves out.
+
+/// Reports the lateral forces that the soft string leaves out, because it has no stiffness that
+/// could carry them.
+pub fn lateral_force_left_out(model: &Model) -> Option<Check> {
+    let components = model.string.components().iter();
+    let forces = components.filter_map(|component| component.lateral_force);
+    let sum_N: f64 = forces.map(|lateral| lateral.force_N.abs()).sum();
+    let check = || Check::reported(CheckKind::LateralForceLeftOut, Severity::Note).value(sum_N);
+    (sum_N > 0.0).then(check)
 }

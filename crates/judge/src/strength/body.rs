@@ -2,7 +2,7 @@
 
 use wholestring::string::{BodySection, Component};
 
-use super::{Tube, collapse::Collapse};
+use super::{Tube, tube::Collapse};
 
 /// The body of a component whose yield strength is known. For used pipe the outside diameter is the
 /// remaining one ([`Component::class`]).
@@ -81,4 +81,15 @@ impl<'a> Body<'a> {
     pub fn collapse(&self, effective_tension_N: f64) -> Collapse {
         self.tube.collapse(effective_tension_N / self.component.area_m2())
     }
+}
+
+// Margin of overpull.
+
+/// Part of the tensile yield that is allowed by default (API RP 7G: customary).
+pub const ALLOWED_PART_OF_YIELD: f64 = 0.9;
+
+/// Margin of overpull, N, `α P₀ − T` (API RP 7G): the capacity of a section of the string, a part
+/// `α` of its tensile yield, beyond its present tension.
+pub fn margin_of_overpull_N(tensile_yield_N: f64, allowed_part: f64, tension_N: f64) -> f64 {
+    allowed_part * tensile_yield_N - tension_N
 }

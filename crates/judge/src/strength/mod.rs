@@ -4,16 +4,12 @@
 //! need, for drill pipe and casing alike. Theory and sources: `docs/src/theory/strength.md`.
 
 mod body;
-mod collapse;
-mod overpull;
 mod stress;
 mod tube;
 
-pub use body::Body;
-pub use collapse::{Collapse, CollapseRegime};
-pub use overpull::{ALLOWED_PART_OF_YIELD, margin_of_overpull_N};
+pub use body::{ALLOWED_PART_OF_YIELD, Body, margin_of_overpull_N};
 pub use stress::{BendSide, BodyLoads, Surface, SurfaceStress, surface_stresses, worst_stress};
-pub use tube::{MILL_TOLERANCE, Tube};
+pub use tube::{Collapse, CollapseRegime, MILL_TOLERANCE, Tube};
 
 /// A pound-force per square inch, Pa.
 pub const PSI_PA: f64 = 6_894.757_293_168_361;
