@@ -8,10 +8,8 @@
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))]
 
 mod bha;
-mod bha_sweep;
 mod bha_tables;
 mod bit_test;
-mod bottom_hole;
 mod calibration;
 mod calibration_rows;
 mod checkpoint;
@@ -46,17 +44,15 @@ mod texts;
 mod thrift;
 mod uncertain;
 mod uncertain_rows;
-mod vibration;
 
 pub use wholestring_judge::{Check, CheckKind, ReadingCheck, Severity, Unchecked, Verdict};
 
 pub use bha::{BHA_VERSION, BhaPart, BhaState, BhaSummary};
-pub use bha_sweep::{BHA_SWEEP, BhaFound, BhaPoint, BhaVaried};
-pub use bha_tables::{BHA, BHA_CONTACTS, bha_table};
+pub use bha_tables::{BHA, BHA_CONTACTS, BHA_SWEEP, BhaFound, BhaPoint, BhaVaried, bha_table};
 pub use bit_test::{
-    BIT_TEST, BIT_TEST_VERSION, BitTestOutcome, BitTestPoint, BitTestSummary, bit_test_common,
+    BIT_TEST, BIT_TEST_VERSION, BOTTOM_HOLE, BitTestOutcome, BitTestPoint, BitTestSummary,
+    BottomHoleCell, bit_test_common,
 };
-pub use bottom_hole::{BOTTOM_HOLE, BottomHoleCell};
 pub use calibration::{
     CALIBRATION_VERSION, CalibrationRows, CalibrationSummary, ErrorFound, EstimateFound,
     OutlierComparison,
@@ -77,7 +73,8 @@ pub use growing_table::{GrowingTable, TableSoFar};
 pub use hold::{Hold, Holding, Occupant};
 pub use json::read_any_summary;
 pub use modes::{
-    CRITICAL_SPEEDS, CriticalSpeed, MODES, MODES_VERSION, ModeFound, ModesRows, ModesSummary, Spot,
+    CAMPBELL, CRITICAL_SPEEDS, CampbellRow, CriticalSpeed, MODE_SHAPES, MODES, MODES_VERSION,
+    ModeFound, ModeShapeRow, ModesRows, ModesSummary, RESPONSE, ResponseRow, Spot,
 };
 pub use operation_tables::OperationTables;
 pub use plan::{
@@ -109,5 +106,4 @@ pub use uncertain_rows::{
     UNCERTAIN, UNCERTAIN_INDICES, UNCERTAIN_SAMPLES, UNCERTAIN_STOPS, UncertainBand,
     UncertainIndex, UncertainOwed, UncertainSample, UncertainStop,
 };
-pub use vibration::{CAMPBELL, CampbellRow, MODE_SHAPES, ModeShapeRow, RESPONSE, ResponseRow};
 pub use wholestring::dynamics::Statistic;

@@ -1,32 +1,26 @@
 //! The JSON file of a plan, `summary.json`, and its tables.
 
 mod broomstick;
-mod buckling;
 mod campaign;
 mod check;
-mod friction;
 mod hydraulics;
 mod measured;
-mod operation;
 mod overlay;
 mod peaks;
-mod settings;
-mod surface;
 
-pub use broomstick::{PLAN_BROOMSTICK, PlanPoint, plan_broomstick_table};
-pub use buckling::{PLAN_BUCKLING, PlanBuckling};
+pub use broomstick::{
+    PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_SURFACE_LIMITS, PlanBuckling, PlanFriction,
+    PlanPoint, PlanSurfaceLimit, plan_broomstick_table,
+};
 pub use campaign::{PLAN_FATIGUE, PLAN_WEAR, PlanDamage, PlanFatigue, PlanFatigueHour, PlanWear};
-pub use check::{PLAN_LIMITS, PlanCheck, plan_limits_table};
-pub use friction::{PLAN_FRICTION, PlanFriction};
+pub use check::{PLAN_LIMITS, PlanCheck, PlanOperation, plan_limits_table};
 pub use hydraulics::{PLAN_HYDRAULICS, PlanDensity, PlanHydraulics};
 pub use measured::{PLAN_MEASURED, PlanMeasured};
-pub use operation::PlanOperation;
 pub use overlay::{PLAN_OVERLAY, PlanOverlay, PlanOverlayDifference, PlanOverlayRow};
 pub use peaks::{
     PLAN_PEAKS, PLAN_PEAKS_TIME, PlanGel, PlanHistory, PlanPeak, PlanPeakOf, PlanPeakSample,
     plan_peaks_time_table,
 };
-pub use surface::{PLAN_SURFACE_LIMITS, PlanSurfaceLimit};
 
 use std::path::Path;
 
@@ -134,7 +128,7 @@ impl PlanSummary {
 
     /// A row for each limit at the surface, at both ends of the depths.
     pub fn surface_limits_table(&self) -> Table {
-        surface::table(&self.surface_limits, self.bit_depths_m.last().copied().unwrap_or(0.0))
+        broomstick::table(&self.surface_limits, self.bit_depths_m.last().copied().unwrap_or(0.0))
     }
 
     /// A row for each measured weight and torque, for each model.
@@ -168,5 +162,37 @@ impl PlanSummary {
         self.points.iter().filter(move |point| {
             point.model == model && point.operation == operation && point.friction == friction
         })
+    }
+}
+
+// Settings of the case that the page of a plan and its tables use.
+
+impl PlanSummary {
+    /// Weight of the block, N; none where the case does not give it.
+    pub fn block_weight_N(&self) -> Option<f64> {
+        self.settings["rig"]["block_weight_N"].as_f64()
+    }
+
+    /// Limit of pumps and standpipe, Pa; none where the case does not give it.
+    pub fn pump_pressure_limit_Pa(&self) -> Option<f64> {
+        self.settings["rig"]["pump_pressure_limit_Pa"].as_f64()
+    }
+
+    /// Density of the mud at rest, kg/m³.
+    pub fn mud_density_kg_per_m3(&self) -> Option<f64> {
+        self.settings["mud"]["density_kg_per_m3"].as_f64()
+    }
+
+    /// Weight on bit of the operations that drill, N; none where the plan has no such operation.
+    pub fn weight_on_bit_N(&self) -> Option<f64> {
+        let drills = self.operations.iter().any(|operation| operation.on_bottom());
+        self.settings["operation"]["wob_N"].as_f64().filter(|_| drills)
+    }
+
+    /// Diameters of the hole sections, m, from the surface down; none where the settings give no
+    /// number.
+    pub fn hole_diameters_m(&self) -> impl Iterator<Item = Option<f64>> {
+        let sections = self.settings["well"]["hole"].as_array().into_iter().flatten();
+        sections.map(|section| section["diameter_m"].as_f64())
     }
 }

@@ -3,14 +3,10 @@
 //!
 //! Rows of other commands are declared with their columns: [`crate::row::rows`].
 
-mod contact;
-mod frames;
-mod nodes;
-mod time;
-mod wear;
-
-pub use self::{contact::CONTACT, frames::FRAMES, nodes::NODES, time::TIME, wear::WEAR};
-use wholestring::outcome;
+use wholestring::{
+    dynamics::FRAME,
+    outcome::{self, CONTACT_MAP, HOLE_WEAR, PROFILE, QuantityKind, TIME_SERIES},
+};
 
 /// Name, unit and meaning of a column.
 pub type ColumnSpec = outcome::Quantity;
@@ -49,6 +45,55 @@ const fn table<T, const N: usize>(
     }
     all
 }
+
+// Columns of `nodes.parquet`.
+
+/// Columns of `nodes.parquet`: the profile along the string, one row per node, from the surface to
+/// the bit, for each model and operation.
+pub const NODES: &[ColumnSpec] =
+    &table::<_, { PROFILE.len() + 2 }>(&[MODEL, OPERATION], PROFILE, &[]);
+
+// Columns of `time.parquet`.
+
+/// Note of the schedule's line for a row.
+const NOTE: ColumnSpec =
+    ColumnSpec::text("note", "Note of the line of the schedule that began last; empty without one")
+        .null_where("no line of the schedule with a note has begun");
+
+/// Columns of `time.parquet`: the scalars against time, one row per sample, for each operation that
+/// was solved by dynamics.
+pub const TIME: &[ColumnSpec] =
+    &table::<_, { TIME_SERIES.len() + 2 }>(&[OPERATION], TIME_SERIES, &[NOTE]);
+
+// Columns of `wear.parquet`.
+
+/// Columns of `wear.parquet`: the work of friction on the hole, one row per 5 m of hole, from the
+/// surface down, for each model and operation.
+pub const WEAR: &[ColumnSpec] =
+    &table::<_, { HOLE_WEAR.len() + 2 }>(&[MODEL, OPERATION], HOLE_WEAR, &[]);
+
+// Columns of `contact.parquet`.
+
+/// Columns of `contact.parquet`: contact over depth and time, coarse, for each operation that was
+/// solved by dynamics.
+pub const CONTACT: &[ColumnSpec] =
+    &table::<_, { CONTACT_MAP.len() + 1 }>(&[OPERATION], CONTACT_MAP, &[]);
+
+// Columns of `frames.parquet`.
+
+const TIME_S: ColumnSpec = ColumnSpec::number(
+    "time_s",
+    QuantityKind::Time,
+    "Simulated time from the start, settling included",
+);
+
+const NODE: ColumnSpec =
+    ColumnSpec::number("node", QuantityKind::Ratio, "Number of the node, from 0 at the surface");
+
+/// Columns of `frames.parquet`: the whole string, a row per node of every frame. Channels that were
+/// not requested have no column.
+pub const FRAMES: &[ColumnSpec] =
+    &table::<_, { FRAME.len() + 3 }>(&[OPERATION, TIME_S, NODE], FRAME, &[]);
 
 #[cfg(test)]
 mod tests {
