@@ -5,18 +5,10 @@
 //! Numbers keep [`DIGITS`] significant digits in WITSML; a report has the usual number of decimals.
 #![warn(missing_docs)]
 
-mod log;
 mod look;
-mod number;
-mod report;
 mod survey;
-mod tally;
 mod witsml;
 
-pub use log::{Curve, Log};
-pub use look::Look;
-pub use number::{DIGITS, number};
-pub use report::survey_report;
-pub use survey::{Row, rows};
-pub use tally::Component;
-pub use witsml::{Version, logs, trajectory, tubular};
+pub use look::{DIGITS, Look, number};
+pub use survey::{Row, rows, survey_report};
+pub use witsml::{Component, Curve, Log, Version, logs, trajectory, tubular};

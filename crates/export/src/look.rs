@@ -1,6 +1,6 @@
 //! Names in a file, and its units.
 
-use wholestring_units::{Dimension, Unit, UnitSet};
+use wholestring_units::{Dimension, Unit, UnitSet, significant};
 
 /// Names in a file, its time of creation, and its units.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,4 +58,24 @@ impl Look {
         };
         Uom { symbol, unit }
     }
+}
+
+// Numbers as texts.
+
+/// Significant digits of the numbers in WITSML: a tenth of a millimetre in 10 km.
+pub const DIGITS: usize = 8;
+
+/// A number to [`DIGITS`], without trailing zeros and without a power of ten; none if it is not
+/// finite.
+///
+/// ```
+/// use wholestring_export::number;
+///
+/// assert_eq!(number(1.0 / 3.0).as_deref(), Some("0.33333333"));
+/// assert_eq!(number(-0.0).as_deref(), Some("0"));
+/// assert_eq!(number(f64::NAN), None);
+/// ```
+pub fn number(value: f64) -> Option<String> {
+    // Without negative zero.
+    value.is_finite().then(|| (significant(value, DIGITS) + 0.0).to_string())
 }

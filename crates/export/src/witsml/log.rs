@@ -5,14 +5,10 @@ use std::io;
 use wholestring_units::Dimension;
 
 use super::{
-    version::Version,
+    Version,
     xml::{Xml, uid, uuid},
 };
-use crate::{
-    log::Log,
-    look::{Look, Uom},
-    number::number,
-};
+use crate::look::{Look, Uom, number};
 
 /// The index curve: measured depth of the bit.
 const INDEX: &str = "DBTM";
@@ -206,4 +202,32 @@ fn index(xml: &mut Xml, length: Uom, kind: &str) -> io::Result<()> {
 
 fn shown(uom: Uom, si: Option<f64>) -> Option<String> {
     number(uom.of(si?))
+}
+
+// A log against bit depth.
+
+/// Curves against the measured depth of the bit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Log {
+    /// Its name: `trip out, soft string, expected friction`.
+    pub name: String,
+    /// Measured depths of the bit, m, ascending.
+    pub bit_depths_m: Vec<f64>,
+    /// Results at each depth.
+    pub curves: Vec<Curve>,
+}
+
+/// A curve of a log.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    /// Its short name: `HKLD`.
+    pub mnemonic: &'static str,
+    /// Its class in WITSML 1.4.1.1: `hookload (average)`.
+    pub class: &'static str,
+    /// Its meaning, in a sentence.
+    pub meaning: &'static str,
+    /// Its dimension.
+    pub dimension: Dimension,
+    /// Its values, SI; none if there is no result.
+    pub values: Vec<Option<f64>>,
 }

@@ -5,10 +5,13 @@ use std::io;
 use wholestring_units::Dimension;
 
 use super::{
-    version::Version,
+    Version,
     xml::{Xml, uid},
 };
-use crate::{look::Look, number::number, survey::Row};
+use crate::{
+    look::{Look, number},
+    survey::Row,
+};
 
 const NAME: &str = "Survey of the case";
 const METHOD: &str = "minimum curvature";

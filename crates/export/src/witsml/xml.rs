@@ -7,11 +7,8 @@ use quick_xml::{
     events::{BytesDecl, BytesEnd, BytesStart, BytesText, Event},
 };
 
-use super::version::Version;
-use crate::{
-    look::{Look, Uom},
-    number::number,
-};
+use super::Version;
+use crate::look::{Look, Uom, number};
 
 const SERIES_1: &str = "http://www.witsml.org/schemas/1series";
 const SERIES_2: &str = "http://www.energistics.org/energyml/data/witsmlv2";
