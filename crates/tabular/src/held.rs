@@ -10,7 +10,7 @@ use crate::{
     columns::{
         column::Column,
         header::{self, headed},
-        sort::{READINGS, SURVEY},
+        names::{READINGS, SURVEY},
     },
     error::{TableError, TableErrorKind},
     tally::{self, ImportedTally},

@@ -50,10 +50,9 @@ pub use stabiliser::is_stabiliser;
 pub use survey::{
     doubts::{StationDoubt, station_doubts},
     imported::{ImportedSurvey, StatedPosition, SurveyTable, under_origin},
-    places::StationPlaces,
+    places::{StationPlaces, within_a_turn},
     positions::{PositionCheck, position_checks},
     preamble::{About, Stated},
-    quantities::within_a_turn,
     said::Said,
     surface::{straight_start, surface_doubts},
 };

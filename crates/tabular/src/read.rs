@@ -8,7 +8,7 @@ use crate::{
     columns::{
         header::{self, Headed, Header, headed},
         layout,
-        sort::{READINGS, SURVEY},
+        names::{READINGS, SURVEY},
     },
     error::{TableError, TableErrorKind},
     readings::{self, ImportedReadings},

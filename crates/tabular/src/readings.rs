@@ -3,15 +3,21 @@
 use wholestring_units::Unit;
 
 use crate::{
-    cells::number::{NULLS, Style},
-    cells::table::{Row, Table},
-    columns::column::Column,
-    columns::layout::{Found, Layout},
-    columns::sort::READINGS,
+    cells::{
+        number::{NULLS, Style},
+        table::{Row, Table},
+    },
+    columns::{
+        column::Column,
+        layout::{Found, Layout},
+        names::READINGS,
+    },
     error::{TableError, TableErrorKind},
     row_names::row_names,
-    survey::reader::{Reader, style, whole},
-    survey::stations::data_rows,
+    survey::{
+        reader::{Reader, style, whole},
+        stations::data_rows,
+    },
 };
 
 /// Maximum measured depth of a hole, m.

@@ -1,11 +1,17 @@
 //! The header: the row or rows that name the columns.
 
-use crate::cells::number;
-use crate::cells::table::{Position, Table};
-use crate::columns::column::Column;
-use crate::columns::heading::{self, Heading};
-use crate::columns::sort::Sort;
-use crate::error::{TableError, TableErrorKind};
+use super::names::Sort;
+use crate::{
+    cells::{
+        number,
+        table::{Position, Table},
+    },
+    columns::{
+        column::Column,
+        heading::{self, Heading},
+    },
+    error::{TableError, TableErrorKind},
+};
 
 /// Number of rows searched for a header.
 const HEADER_ROWS: usize = 200;

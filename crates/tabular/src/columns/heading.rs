@@ -2,10 +2,12 @@
 
 use wholestring_units::{Dimension, Unit};
 
-use crate::columns::column::Column;
-use crate::columns::names::{NAMES, columns_named, is_beside, is_subsea, written_out};
-use crate::columns::sort::Sort;
-use crate::columns::words::Words;
+use super::names::Sort;
+use crate::columns::{
+    column::Column,
+    names::{NAMES, columns_named, is_beside, is_subsea, written_out},
+    words::Words,
+};
 
 /// A heading that names a column.
 #[derive(Debug, Clone, PartialEq)]
@@ -165,8 +167,7 @@ pub(crate) fn part_brackets(text: &str) -> (String, Vec<String>) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Column, HeadingUnit, recognise};
-    use crate::columns::sort::SURVEY;
+    use super::{super::names::SURVEY, Column, HeadingUnit, recognise};
 
     #[test]
     fn common_headings_are_recognised() {

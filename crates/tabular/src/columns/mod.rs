@@ -5,5 +5,4 @@ pub(crate) mod header;
 pub(crate) mod heading;
 pub(crate) mod layout;
 pub(crate) mod names;
-pub(crate) mod sort;
 pub(crate) mod words;

@@ -3,7 +3,7 @@
 use wholestring::well::{DoubtfulTurn, Station, doubtful_turns};
 use wholestring_units::UnitSet;
 
-use super::quantities::{degrees, depth, severity};
+use super::places::{degrees, depth, severity};
 
 /// Difference from the expected angle below which a candidate is accepted as the intended one, deg.
 const MEANT_DEG: f64 = 3.0;

@@ -5,7 +5,7 @@ use wholestring_units::{Dimension, UnitSet};
 
 use super::{
     imported::StatedPosition,
-    quantities::{depth, difference},
+    places::{depth, difference},
 };
 
 /// Maximum difference of positions from rounding per length. Angles are written to 0.01 deg: half

@@ -3,24 +3,29 @@
 use std::collections::HashSet;
 
 use wholestring::well::Station;
-
 use wholestring_units::number_text;
 
-use crate::cells::number::{self, Style};
-use crate::cells::table::{Row, Table};
-use crate::columns::layout::{Found as FoundColumn, Layout};
-use crate::error::{TableError, TableErrorKind};
+use super::{
+    imported::{self, Dogleg},
+    places::within_a_turn,
+};
 use crate::{
-    columns::column::Column,
-    columns::heading,
-    columns::sort::{SURVEY, Sort},
+    cells::{
+        number::{self, Style},
+        table::{Row, Table},
+    },
+    columns::{
+        column::Column,
+        heading,
+        layout::{Found as FoundColumn, Layout},
+        names::{SURVEY, Sort},
+    },
+    error::{TableError, TableErrorKind},
     survey::{
         imported::ImportedSurvey,
         places::StationPlaces,
         preamble,
-        quantities::within_a_turn,
         reader::{Reader, position, style, whole},
-        stated::{self, Dogleg},
     },
 };
 
@@ -224,7 +229,8 @@ fn finish(
     notes.push(format!("{} stations", stations.len()));
     notes.extend(nulls(reader, layout, rows));
     let dogleg = Dogleg::of(table, layout);
-    let of_row = |&row: &usize| stated::position(reader, layout, dogleg.as_ref(), &table.rows[row]);
+    let of_row =
+        |&row: &usize| imported::position(reader, layout, dogleg.as_ref(), &table.rows[row]);
     let symbol = |column| layout.column(column).map_or("", |found: &FoundColumn| found.unit.symbol);
     let is_read = |index: usize| layout.columns.iter().any(|found| found.index == index);
     let unread = layout.header.iter().enumerate();

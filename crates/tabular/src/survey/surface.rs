@@ -5,7 +5,7 @@ use wholestring_units::{Dimension, UnitSet};
 
 use super::{
     doubts::StationDoubt,
-    quantities::{degrees, depth},
+    places::{degrees, depth},
 };
 
 /// Largest inclination at the first station with which the straight hole above it may replace a

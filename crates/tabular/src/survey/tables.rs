@@ -9,12 +9,14 @@ use super::{
     stations::{self, Broken},
 };
 use crate::{
-    cells,
-    cells::table::{Source, Table},
+    cells::{
+        self,
+        table::{Source, Table},
+    },
     columns::{
         header::{self, Header},
         layout,
-        sort::SURVEY,
+        names::SURVEY,
     },
 };
 

@@ -10,7 +10,7 @@ use crate::{
     columns::{
         column::Column,
         heading::{self, HeadingUnit},
-        sort::TALLY,
+        names::TALLY,
     },
 };
 

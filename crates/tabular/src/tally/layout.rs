@@ -6,7 +6,7 @@ use super::header::{Headed, Header, OfUnit, unit_of};
 use crate::{
     cells::{
         number,
-        table::{Position, Row, Table},
+        table::{Position, Row, Source, Table, line_starts},
     },
     columns::{column::Column, heading},
     error::{TableError, TableErrorKind},
@@ -111,4 +111,42 @@ pub(crate) fn is_units(row: &Row, columns: &[Headed]) -> bool {
     };
     cells().any(|(column, text)| !text.is_empty() && unit_of(column, text).is_some())
         && !row.texts().any(|text| number::is_number(text) || text.len() > 20)
+}
+
+// Places of the cells of a table, in words.
+
+/// Finds the line of a position without scanning the text each time.
+pub(crate) struct Lines<'a> {
+    source: Source<'a>,
+    starts: Vec<usize>,
+}
+
+impl<'a> Lines<'a> {
+    pub(crate) fn of(source: Source<'a>) -> Self {
+        let starts = match source {
+            Source::Text { text, .. } => line_starts(text).collect(),
+            Source::Sheet { .. } => Vec::new(),
+        };
+        Self { source, starts }
+    }
+
+    /// `line 5`, `row 5 of sheet 'BHA'`.
+    pub(crate) fn row(&self, at: Position) -> String {
+        match self.source {
+            Source::Text { .. } => format!("line {}", self.line(at)),
+            Source::Sheet { .. } => self.source.row_name(at),
+        }
+    }
+
+    /// `line 5, column 'OD'`, `sheet 'BHA', cell C5`.
+    pub(crate) fn cell(&self, at: Position, heading: &str) -> String {
+        match self.source {
+            Source::Text { .. } => format!("line {}, column '{heading}'", self.line(at)),
+            Source::Sheet { .. } => self.source.place(at).to_string(),
+        }
+    }
+
+    fn line(&self, at: Position) -> usize {
+        self.starts.partition_point(|&start| start <= at.0)
+    }
 }

@@ -4,7 +4,6 @@ mod cell;
 mod header;
 mod imported;
 mod layout;
-mod lines;
 mod rows;
 
 pub(crate) use header::{Found, find};

@@ -6,8 +6,7 @@ use super::{
     cell::{self, holds},
     header::{Found, Header, find},
     imported::{ImportedTally, TallyCell, TallyRow, TallyTotal},
-    layout::{self, Laid, Layout},
-    lines::Lines,
+    layout::{self, Laid, Layout, Lines},
 };
 use crate::{
     cells::{
