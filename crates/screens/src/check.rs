@@ -8,8 +8,7 @@ use wholestring_config::node;
 use crate::{
     diagnostic::{self, Diagnostic, Level},
     layout::Layout,
-    quantities::{self, Quantities},
-    values::{self, CaseValue},
+    values::{self, CaseValue, Quantities},
 };
 
 /// A text that may be the contents of a case file.
@@ -53,7 +52,7 @@ pub fn check(name: &str, text: &str, files: &dyn Files) -> Checked {
         }
     };
     let tree = node::parse_text(text, 0).ok();
-    let quantities = tree.as_ref().map(quantities::of_table).unwrap_or_default();
+    let quantities = tree.as_ref().map(values::quantities_of_table).unwrap_or_default();
     let values = tree.map(|entries| values::of_table(&entries, text));
     let parts = Parts::read(name, text.as_bytes(), files);
     Checked { diagnostics, values, quantities, layout: Layout::of(parts) }

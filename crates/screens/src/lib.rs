@@ -15,7 +15,6 @@ pub mod edit;
 pub mod examples;
 pub mod layout;
 pub mod live;
-mod quantities;
 pub mod refusal;
 pub mod survey;
 pub mod trial;

@@ -1,6 +1,6 @@
 //! TOML as JSON.
 
-use std::borrow::Cow;
+use std::{borrow::Cow, collections::BTreeMap};
 
 use serde_json::{Map, Value as Json, json};
 use utoipa::{
@@ -10,6 +10,7 @@ use utoipa::{
         schema::{ArrayBuilder, OneOfBuilder},
     },
 };
+use wholestring_case::dimension_at;
 use wholestring_config::node::{Entries, Node, Value};
 
 /// Description of a value of a case file as JSON.
@@ -52,5 +53,46 @@ fn of_node(node: &Node, text: &str) -> Json {
         Value::Boolean(truth) => json!(truth),
         Value::List(items) => items.iter().map(|item| of_node(item, text)).collect(),
         Value::Table(entries) => of_table(entries, text),
+    }
+}
+
+// SI values of the texts in a case.
+
+/// SI value of each quantity, by dimension and text: `{"length": {"10 ft": 3.048}}`. Texts that are
+/// no quantity are omitted.
+pub(super) type Quantities = BTreeMap<&'static str, BTreeMap<String, f64>>;
+
+/// The quantities of a case's tables.
+pub(super) fn quantities_of_table(entries: &Entries) -> Quantities {
+    let mut found = Quantities::new();
+    table(entries, "", &mut found);
+    found
+}
+
+fn table(entries: &Entries, before: &str, found: &mut Quantities) {
+    for (key, value) in &entries.0 {
+        match before {
+            "" => node(value, &key.name, found),
+            before => node(value, &format!("{before}.{}", key.name), found),
+        }
+    }
+}
+
+fn node(value: &Node, key: &str, found: &mut Quantities) {
+    match &value.value {
+        Value::Text { text, .. } => {
+            if let Some(dimension) = dimension_at(key)
+                && let Ok(si) = dimension.parse(text)
+            {
+                found.entry(dimension.name()).or_default().insert(text.clone(), si);
+            }
+        }
+        Value::List(items) => {
+            for (index, item) in items.iter().enumerate() {
+                node(item, &format!("{key}.{index}"), found);
+            }
+        }
+        Value::Table(entries) => table(entries, key, found),
+        _ => {}
     }
 }

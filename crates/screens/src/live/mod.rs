@@ -11,7 +11,6 @@ mod channels;
 mod checkpoints;
 mod command;
 mod engine;
-mod engine_moments;
 mod engine_set;
 mod kept;
 mod lamps;
