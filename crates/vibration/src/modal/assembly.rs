@@ -1,17 +1,17 @@
 //! The lowest part of the string: collars, stabilisers and heavy-weight pipe.
 
 use nalgebra::Complex;
+use wholestring::{sizing::assembly_top_m, string::DrillString};
 
 use super::{
+    ModalError,
     chain::Chain,
-    error::ModalError,
     family::Family,
     mode::Mode,
     motions::{SmallMotions, motion},
     search,
     whirl::Turning,
 };
-use wholestring::{sizing::assembly_top_m, string::DrillString};
 
 /// String above the assembly that moves with it, m: above that it is held.
 const ABOVE_M: f64 = 60.0;

@@ -3,11 +3,10 @@
 use std::f64::consts::TAU;
 
 use super::{
+    ModalError,
     assembly::{Assembly, Modes, is_own},
-    error::ModalError,
     family::Family,
-    mode::{Mode, Whirl},
-    place::Place,
+    mode::{Mode, Place, Whirl},
     whirl::TurningMode,
 };
 use crate::complex;

@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::{chain::Chain, factors::MOTIONS, family::Family, place::Place};
+use super::{chain::Chain, factors::MOTIONS, family::Family};
 use crate::complex;
 
 /// Which way a mode goes round.
@@ -111,4 +111,17 @@ pub(super) fn precession(chain: &Chain, motion: &[Complex<f64>]) -> f64 {
         all += mass * (x.norm_sqr() + y.norm_sqr());
     }
     if all > 0.0 { round / all } else { 0.0 }
+}
+
+// A place in the string.
+
+/// A place in the string.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Place {
+    /// Measured depth, m.
+    pub md_m: f64,
+    /// Distance from the bit, m.
+    pub from_bit_m: f64,
+    /// The component there.
+    pub component: String,
 }

@@ -1,19 +1,6 @@
 //! Small motions about the string at rest.
 
 use nalgebra::{Complex, Matrix3, Vector3};
-
-use super::{
-    chain::Chain,
-    error::ModalError,
-    factors::MOTIONS,
-    family::{self, Family},
-    mode::{Mode, energy, farthest, precession},
-    place::Place,
-    pull,
-    search::{self, RealMode},
-    whirl::Turning,
-};
-use crate::complex;
 use wholestring::{
     dynamics::{DynamicsSettings, levers_kg_m},
     model::Model,
@@ -22,6 +9,18 @@ use wholestring::{
     statics::stiff::{self, AtRest, StiffSettings},
     string::BodySection,
 };
+
+use super::{
+    ModalError,
+    chain::Chain,
+    factors::MOTIONS,
+    family::{self, Family},
+    mode::{Mode, Place, energy, farthest, precession},
+    pull,
+    search::{self, RealMode},
+    whirl::Turning,
+};
+use crate::complex;
 
 /// Modes at rest beyond those that are wanted which a rotating string's are made of.
 const BEYOND: usize = 6;

@@ -5,8 +5,7 @@ use nalgebra::{Complex, Matrix2, Matrix3, SMatrix, SVector, Vector3};
 use super::{
     assembly::Assembly,
     factors::{MOTIONS, Stiffness},
-    mode::farthest,
-    place::Place,
+    mode::{Place, farthest},
 };
 use crate::complex;
 

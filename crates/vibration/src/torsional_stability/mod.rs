@@ -12,9 +12,7 @@ mod chain;
 mod characteristic;
 mod drive;
 mod drive_choice;
-mod error;
 mod hoist;
-mod line;
 mod map;
 mod of_case;
 mod pressing;
@@ -27,11 +25,12 @@ pub use chain::LumpedChain;
 pub use characteristic::SteadyRotation;
 pub use drive::LinearDrive;
 pub use drive_choice::TunedDrive;
-pub use error::StabilityError;
 pub use hoist::LinearHoist;
-pub use line::{StabilityLine, StabilityPoint, Threshold};
-pub use map::{StabilityAtWeight, TorsionalStability, USUAL_STATIC_OVER_KINETIC};
+pub use map::{
+    StabilityAtWeight, StabilityLine, StabilityPoint, Threshold, TorsionalStability,
+    USUAL_STATIC_OVER_KINETIC,
+};
 pub use of_case::StabilityOfCase;
 pub use pressing::LiesBy;
 pub use roots::{Band, Root, Stability};
-pub use settings::{HIGHEST_HZ, StabilityRange, StabilitySettings};
+pub use settings::{HIGHEST_HZ, StabilityError, StabilityRange, StabilitySettings};
