@@ -37,7 +37,7 @@ mod stabiliser;
 mod survey;
 mod tally;
 
-pub use cells::decode::single_bytes;
+pub use cells::{decode::single_bytes, number::is_null};
 pub use columns::column::Column;
 pub use error::{Place, TableError, TableErrorKind};
 pub use held::{Held, held, read_tally};

@@ -4,7 +4,7 @@ use wholestring_units::Unit;
 
 use crate::{
     cells::{
-        number::{NULLS, Style},
+        number::{Style, is_null, is_null_word},
         table::{Row, Table},
     },
     columns::{
@@ -191,10 +191,6 @@ struct Nulls {
     found: Vec<(Column, String, Vec<String>)>,
 }
 
-/// Words for missing measurements.
-const NULL_WORDS: [&str; 9] =
-    ["n/a", "na", "n.a.", "nan", "null", "none", "#n/a", "nr", "not recorded"];
-
 impl Nulls {
     /// Whether a cell is a null value; if so, it is recorded.
     fn hold(&mut self, reader: &Reader, row: &Row, found: &Found, place: &str) -> bool {
@@ -203,8 +199,8 @@ impl Nulls {
         };
         let number = reader.read(cell, found.column).ok();
         let is_null = match number {
-            Some(number) => NULLS.contains(&number),
-            None => NULL_WORDS.iter().any(|word| cell.text.eq_ignore_ascii_case(word)),
+            Some(number) => is_null(number),
+            None => is_null_word(&cell.text),
         };
         if is_null {
             let same = |column: &&mut (Column, String, Vec<String>)| {

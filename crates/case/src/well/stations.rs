@@ -4,7 +4,7 @@ use serde_json::json;
 use wholestring::well::{Interpolation, Path, Station, TieIn};
 use wholestring_config::prelude::*;
 use wholestring_tabular::{
-    ImportedSurvey, Place, PositionCheck, Said, position_checks, read_as, station_doubts,
+    ImportedSurvey, Place, PositionCheck, Said, is_null, position_checks, read_as, station_doubts,
     straight_start, surface_doubts,
 };
 use wholestring_units::Unit;
@@ -233,9 +233,9 @@ impl StationRule {
     }
 }
 
-/// Whether a value is `nan`, which stands for no value.
+/// Whether a value is `nan` or a null of databases, which stand for no value.
 fn is_missing(node: &Node) -> bool {
-    matches!(node.value, Value::Number { value, .. } if value.is_nan())
+    matches!(node.value, Value::Number { value, .. } if value.is_nan() || is_null(value))
 }
 
 impl Rule for StationRule {

@@ -202,7 +202,7 @@ fn one_section_in_single_brackets() {
     refused("one_hole_in_single_brackets", read(&one));
 }
 
-/// A vertical station needs no azimuth: left out, or `nan`.
+/// A vertical station needs no azimuth: left out, `nan`, or a null of databases.
 #[test]
 fn vertical_stations_need_no_azimuth() {
     let stations = |rows: &str| {
@@ -213,9 +213,11 @@ fn vertical_stations_need_no_azimuth() {
     };
     let azimuths = |case: &wholestring_case::Case| case.settings["well"]["stations"].clone();
     let full = read(&stations("[[0, 0, 0], [900, 0, 0], [4305, 20, 30]]")).expect("a valid case");
-    for rows in
-        ["[[0, 0], [900, 0], [4305, 20, 30]]", "[[0, 0, nan], [900, 0, nan], [4305, 20, 30]]"]
-    {
+    for rows in [
+        "[[0, 0], [900, 0], [4305, 20, 30]]",
+        "[[0, 0, nan], [900, 0, nan], [4305, 20, 30]]",
+        "[[0, 0, -999.25], [900, 0, -9999], [4305, 20, 30]]",
+    ] {
         let case =
             read(&stations(rows)).unwrap_or_else(|report| panic!("{}", report.render(false)));
         assert_eq!(azimuths(&case), azimuths(&full), "{rows}");

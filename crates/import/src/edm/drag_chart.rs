@@ -1,6 +1,6 @@
 //! Torque and drag computed by Landmark: a curve to draw over a plan.
 
-use wholestring_tabular::ImportedReading;
+use wholestring_tabular::{ImportedReading, is_null};
 
 use super::{
     chooser::Chosen,
@@ -12,9 +12,6 @@ use super::{
 use crate::error::ImportError;
 
 const KEYS: [&str; 4] = ["well_id", "wellbore_id", "scenario_id", "case_id"];
-
-/// Null values.
-const NULLS: [f64; 4] = [-999.0, -999.25, -9999.0, -9999.25];
 
 /// The rows of the drag chart of the chosen case, by depth.
 pub(super) fn read(
@@ -33,7 +30,7 @@ pub(super) fn read(
         let load = |column| units.quantity(row, column, Measure::Force);
         let torque = |column| units.quantity(row, column, Measure::ChartTorque);
         let mut si = |found: Option<Found>| {
-            let is_null = |found: &Found| NULLS.contains(&found.number);
+            let is_null = |found: &Found| is_null(found.number);
             nulls += usize::from(found.as_ref().is_some_and(is_null));
             found.filter(|found| !is_null(found)).map(Found::si)
         };

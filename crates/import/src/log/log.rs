@@ -1,5 +1,6 @@
 //! A log, row by row.
 
+use wholestring_tabular::is_null;
 use wholestring_units::Unit;
 
 use super::{
@@ -21,10 +22,6 @@ const AHEAD: usize = 64;
 
 /// Maximum bytes of the rows of a log that is sorted by time, because all of them are read first.
 const SORTED_BYTES: usize = 256 << 20;
-
-/// Null values of many logs, whether or not their heads declare them. No sensor of a rig measures
-/// them.
-const USUAL_NULLS: [f64; 7] = [-999.25, -9999.25, -999.0, -9999.0, -8888.0, -99_999.0, -999.99];
 
 /// A log whose head has been read.
 pub(crate) struct Opened<'a> {
@@ -242,7 +239,7 @@ impl<'a> Log<'a> {
                 if nulls.contains(&value) {
                     continue;
                 }
-                if value < -800.0 && USUAL_NULLS.contains(&value) {
+                if value < -800.0 && is_null(value) {
                     self.watch.usual_null(value, self.row.line);
                     continue;
                 }

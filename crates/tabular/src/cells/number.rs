@@ -1,10 +1,12 @@
 //! Numbers in cells: meaning of their commas and points.
 
-/// Numbers that databases and loggers write for missing measurements.
-pub(crate) const NULLS: [f64; 11] = [
+/// Numbers that databases and loggers write for missing measurements. No sensor of a rig measures
+/// them.
+const NULLS: [f64; 12] = [
     -999.0,
     -999.25,
     -999.99,
+    -8888.0,
     -9999.0,
     -9999.25,
     -99_999.0,
@@ -14,6 +16,21 @@ pub(crate) const NULLS: [f64; 11] = [
     -32_767.0,
     -32_768.0,
 ];
+
+/// Whether a number stands for a missing measurement, such as -999.25, in whatever unit.
+pub fn is_null(number: f64) -> bool {
+    NULLS.contains(&number)
+}
+
+/// Words for missing numbers.
+const NULL_WORDS: [&str; 10] =
+    ["n/a", "na", "n.a.", "nan", "nil", "null", "none", "#n/a", "nr", "not recorded"];
+
+/// Whether a text is a word or dashes for a missing number, or empty.
+pub(crate) fn is_null_word(text: &str) -> bool {
+    text.chars().all(|c| "-–— .".contains(c))
+        || NULL_WORDS.iter().any(|word| text.eq_ignore_ascii_case(word))
+}
 
 /// Meaning of commas and points in the numbers of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use wholestring::well::TieIn;
 use wholestring_units::{Dimension, Unit, UnitSet, number_text};
 
 use crate::{
-    cells::number::{self, Fault, NULLS, Style},
+    cells::number::{self, Fault, Style, is_null},
     cells::table::{Cell, Position, Row, Table},
     columns::column::Column,
     columns::layout::{Found, Layout},
@@ -72,9 +72,16 @@ impl Reader<'_> {
         Some(unit.to_si(number)).filter(|si| si.is_finite())
     }
 
+    /// Whether a row has no number in a column: nothing, a word for it, or a null value.
+    pub(crate) fn is_missing(&self, row: &Row, found: &Found) -> bool {
+        row.cells.get(found.index).is_none_or(|cell| {
+            number::is_null_word(cell.text.trim()) || self.is_null(cell, found.column)
+        })
+    }
+
     /// Whether a cell has a null value.
     pub(crate) fn is_null(&self, cell: &Cell, column: Column) -> bool {
-        self.read(cell, column).is_ok_and(|number| NULLS.contains(&number))
+        self.read(cell, column).is_ok_and(is_null)
     }
 
     pub(crate) fn out_of_range(

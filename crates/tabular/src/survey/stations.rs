@@ -126,15 +126,6 @@ fn is_deepest_first(reader: &Reader, layout: &Layout, rows: &[usize]) -> bool {
         .is_some_and(|depths| depths.is_sorted_by(|a, b| a >= b) && depths.first() > depths.last())
 }
 
-/// Whether a cell is empty, or contains a sign for a missing value.
-fn is_blank(text: &str) -> bool {
-    const SIGNS: [&str; 10] =
-        ["n/a", "na", "nan", "null", "none", "-999.25", "-999", "-9999", "-999.2500", "-9999.25"];
-    let text = text.trim();
-    text.chars().all(|c| "-–—.".contains(c))
-        || SIGNS.iter().any(|sign| text.eq_ignore_ascii_case(sign))
-}
-
 /// Contents of a row.
 enum Found {
     Station {
@@ -174,7 +165,7 @@ fn station(
             return Err(reader.out_of_range(row, inclination, "0 to 180 deg"));
         }
         // A vertical hole has no azimuth.
-        let has_azimuth = inclination_rad != 0.0 || !is_blank(row.text(azimuth.index));
+        let has_azimuth = inclination_rad != 0.0 || !reader.is_missing(row, azimuth);
         let azimuth_rad = if has_azimuth { reader.value(row, azimuth)? } else { 0.0 };
         let turn = std::f64::consts::TAU;
         if !(-turn..=2.0 * turn).contains(&azimuth_rad) {

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::{
     cells::{
-        number::{self, Fault, Style},
+        number::{self, Fault, Style, is_null_word},
         table::Cell,
     },
     columns::{column::Column, heading},
@@ -112,10 +112,7 @@ fn joints(cell: &Cell, style: Style) -> Result<Option<Holds>, TableErrorKind> {
 
 /// Whether a cell is empty, or contains a sign for a missing number.
 pub(crate) fn is_blank(text: &str) -> bool {
-    text.chars().all(|c| "-–— .".contains(c))
-        || ["n/a", "na", "none", "nil", "tbc", "tba"]
-            .iter()
-            .any(|blank| text.eq_ignore_ascii_case(blank))
+    is_null_word(text) || ["tbc", "tba"].iter().any(|blank| text.eq_ignore_ascii_case(blank))
 }
 
 /// Whether the component fills the string to the surface.
