@@ -3,6 +3,8 @@
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+use crate::named_numbers::named_numbers;
+
 /// Isotropic, elastic up to Drucker and Prager's cone, brittle beyond it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Rock {
@@ -37,14 +39,30 @@ const CRUSHING: f64 = 0.085;
 /// Width of a band that takes as much to crush per area as per volume, m: a few grains.
 const CRUSHED_M: f64 = 2e-3;
 
+named_numbers! {
+    /// Numbers that describe a rock.
+    RockNumber {
+        Density "the density",
+        YoungsModulus "Young's modulus",
+        PoissonRatio "Poisson's ratio",
+        Cohesion "the cohesion",
+        FrictionAngle "the friction angle",
+        DilationAngle "the dilation angle",
+        TensileStrength "the tensile strength",
+        TensileFractureEnergy "the fracture energy in tension",
+        CompressiveFractureEnergy "the fracture energy in compression",
+        CrushingEnergy "the crushing energy",
+    }
+}
+
 /// Why a rock, or a block of it, cannot be.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum RockError {
     /// A number that no rock has.
-    #[error("{quantity} of the rock is {value}, expected {expected}")]
+    #[error("{number} of the rock is {value}, expected {expected}")]
     OutOfRange {
         /// Which number.
-        quantity: &'static str,
+        number: RockNumber,
         /// Its value, in SI units.
         value: f64,
         /// Expected range.
@@ -193,9 +211,9 @@ impl Rock {
     /// # Errors
     /// The first of them.
     pub fn check(&self) -> Result<(), RockError> {
-        let above_zero = |quantity, value: f64, expected| (quantity, value, value > 0.0, expected);
-        let positive = |quantity, value: f64, expected| {
-            (quantity, value, value > 0.0 && value.is_finite(), expected)
+        let above_zero = |number, value: f64, expected| (number, value, value > 0.0, expected);
+        let positive = |number, value: f64, expected| {
+            (number, value, value > 0.0 && value.is_finite(), expected)
         };
         let [friction, dilation] = [self.friction_angle_rad, self.dilation_angle_rad];
         let acute = friction > 0.0 && friction < std::f64::consts::FRAC_PI_2;
@@ -203,29 +221,29 @@ impl Rock {
         let poisson = (0.0..0.5).contains(&self.poisson_ratio);
         let crushing = self.crushing_energy_J_per_m3;
         let checks = [
-            positive("the density", self.density_kg_per_m3, "more than 0 kg/m3"),
-            positive("Young's modulus", self.youngs_modulus_Pa, "more than 0 Pa"),
-            ("Poisson's ratio", self.poisson_ratio, poisson, "from 0 to below 0.5"),
-            positive("the cohesion", self.cohesion_Pa, "more than 0 Pa"),
-            ("the friction angle", friction, acute, "between 0 and 90 deg"),
-            ("the dilation angle", dilation, dilates, "from 0 to the friction angle"),
-            above_zero("the tensile strength", self.tensile_strength_Pa, "more than 0 Pa"),
+            positive(RockNumber::Density, self.density_kg_per_m3, "more than 0 kg/m3"),
+            positive(RockNumber::YoungsModulus, self.youngs_modulus_Pa, "more than 0 Pa"),
+            (RockNumber::PoissonRatio, self.poisson_ratio, poisson, "from 0 to below 0.5"),
+            positive(RockNumber::Cohesion, self.cohesion_Pa, "more than 0 Pa"),
+            (RockNumber::FrictionAngle, friction, acute, "between 0 and 90 deg"),
+            (RockNumber::DilationAngle, dilation, dilates, "from 0 to the friction angle"),
+            above_zero(RockNumber::TensileStrength, self.tensile_strength_Pa, "more than 0 Pa"),
             above_zero(
-                "the fracture energy in tension",
+                RockNumber::TensileFractureEnergy,
                 self.tensile_fracture_energy_J_per_m2,
                 "more than 0 J/m2",
             ),
             above_zero(
-                "the fracture energy in compression",
+                RockNumber::CompressiveFractureEnergy,
                 self.compressive_fracture_energy_J_per_m2,
                 "more than 0 J/m2",
             ),
-            ("the crushing energy", crushing, crushing >= 0.0, "0 J/m3 or more"),
+            (RockNumber::CrushingEnergy, crushing, crushing >= 0.0, "0 J/m3 or more"),
         ];
         match checks.into_iter().find(|(_, _, valid, _)| !valid) {
             None => Ok(()),
-            Some((quantity, value, _, expected)) => {
-                Err(RockError::OutOfRange { quantity, value, expected })
+            Some((number, value, _, expected)) => {
+                Err(RockError::OutOfRange { number, value, expected })
             }
         }
     }

@@ -1,39 +1,42 @@
 //! The reason why the numbers of a case do not give the face of a bit.
 
-use wholestring::rock::bit_face::FaceError;
+use wholestring::rock::bit_face::{FaceError, FaceNumber};
 use wholestring_config::{diagnostic::Diagnostic, reader::shown, rule::Table, source::Span};
 use wholestring_units::{Dimension, UnitSet, number_text};
 
 use super::build::BitTable;
 
-/// The key of each number, by its name in errors of the face; the diameters are keys of other
-/// tables.
-const KEYS: [(&str, &str); 24] = [
-    ("nose position", "nose"),
-    ("nose radius", "nose_radius"),
-    ("nose radius of a core bit", "nose_radius"),
-    ("shoulder radius", "shoulder_radius"),
-    ("gauge length", "gauge_length"),
-    ("cone angle", "cone_angle"),
-    ("number of blades", "blades"),
-    ("cutters per blade", "cutters_per_blade"),
-    ("cutters per track", "cutters_per_track"),
-    ("cutter diameter", "cutter_diameter"),
-    ("cutter length", "cutter_length"),
-    ("chamfer", "chamfer"),
-    ("back rake", "back_rake"),
-    ("side rake", "side_rake"),
-    ("gauge relief", "gauge_relief"),
-    ("spiral of the blades", "spiral"),
-    ("exposure", "exposure"),
-    ("blade width", "blade_width"),
-    ("centre spacing", "centre_spacing"),
-    ("insert diameter", "insert_diameter"),
-    ("protrusion", "protrusion"),
-    ("rows of inserts", "rows"),
-    ("pitch of the inserts", "pitch"),
-    ("half angle of the inserts", "half_angle"),
-];
+/// The key of a number of the face.
+const fn key(number: FaceNumber) -> &'static str {
+    match number {
+        FaceNumber::Diameter => "od",
+        FaceNumber::CoreDiameter => "core_diameter",
+        FaceNumber::Nose => "nose",
+        FaceNumber::NoseRadius | FaceNumber::CoreNoseRadius => "nose_radius",
+        FaceNumber::ShoulderRadius => "shoulder_radius",
+        FaceNumber::GaugeLength => "gauge_length",
+        FaceNumber::ConeAngle => "cone_angle",
+        FaceNumber::Blades => "blades",
+        FaceNumber::CuttersPerBlade => "cutters_per_blade",
+        FaceNumber::CuttersPerTrack => "cutters_per_track",
+        FaceNumber::CutterDiameter => "cutter_diameter",
+        FaceNumber::CutterLength => "cutter_length",
+        FaceNumber::Chamfer => "chamfer",
+        FaceNumber::BackRake => "back_rake",
+        FaceNumber::SideRake => "side_rake",
+        FaceNumber::GaugeRelief => "gauge_relief",
+        FaceNumber::Spiral => "spiral",
+        FaceNumber::Exposure => "exposure",
+        FaceNumber::BladeWidth => "blade_width",
+        FaceNumber::CentreSpacing => "centre_spacing",
+        FaceNumber::InsertDiameter => "insert_diameter",
+        FaceNumber::Protrusion => "protrusion",
+        FaceNumber::Rows => "rows",
+        FaceNumber::Pitch => "pitch",
+        FaceNumber::HalfAngle => "half_angle",
+        FaceNumber::TipRadius => "tip_radius",
+    }
+}
 
 /// Returns the mistake, at those of its numbers that the case gives; `od` is the diameter's place.
 pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Span, units: UnitSet) -> Diagnostic {
@@ -46,16 +49,12 @@ pub(crate) fn misfit(error: &FaceError, bit: &BitTable, od: Span, units: UnitSet
     // The first of these keys that the case gives.
     let first = |keys: &[&str]| keys.iter().find_map(|key| place_of(key)).unwrap_or(whole);
     match error {
-        FaceError::OutOfRange { quantity, value, expected } => {
-            let (key, place) = match *quantity {
-                "diameter" => ("od", Some(od)),
-                "core diameter" => ("core_diameter", bit.laws.kind.core_diameter.place()),
-                "tip radius of the inserts" => ("tip_radius", place_of("tip_radius")),
-                other => {
-                    let known = KEYS.iter().find(|(name, _)| *name == other);
-                    let key = known.map_or(other, |(_, key)| *key);
-                    (key, place_of(key))
-                }
+        FaceError::OutOfRange { number, value, expected } => {
+            let key = key(*number);
+            let place = match number {
+                FaceNumber::Diameter => Some(od),
+                FaceNumber::CoreDiameter => bit.laws.kind.core_diameter.place(),
+                _ => place_of(key),
             };
             let diagnostic = Diagnostic::error(format!("`{key}` does not suit the bit"));
             match place {

@@ -1,6 +1,6 @@
 //! The rock material: strength, stiffness, toughness.
 
-use wholestring::rock::{Rock, RockError};
+use wholestring::rock::{Rock, RockError, RockNumber};
 
 use wholestring_units::{Dimension, UnitSet, number_text};
 
@@ -92,26 +92,23 @@ impl RockTable {
     /// Returns the mistake, at those of its numbers that the case gives.
     pub(super) fn unsound(&self, error: &RockError, whole: Span, units: UnitSet) -> Diagnostic {
         match error {
-            RockError::OutOfRange { quantity, value, expected } => {
-                let known = [
-                    ("the density", self.density.place()),
-                    ("Young's modulus", self.youngs_modulus.place()),
-                    ("Poisson's ratio", self.poisson_ratio.place()),
-                    ("the cohesion", self.cohesion.place()),
-                    ("the friction angle", self.friction_angle.place()),
-                    ("the dilation angle", self.dilation_angle.place()),
-                    ("the tensile strength", self.tensile_strength.place()),
-                    ("the fracture energy in tension", self.tensile_fracture_energy.place()),
-                    (
-                        "the fracture energy in compression",
-                        self.compressive_fracture_energy.place(),
-                    ),
-                    ("the crushing energy", self.crushing_energy.place()),
-                ];
-                let found = known.iter().find(|(name, _)| name == quantity);
-                let message = format!("no rock has this: {quantity}");
-                Diagnostic::error(message).at(
-                    found.and_then(|(_, place)| *place).unwrap_or(whole),
+            RockError::OutOfRange { number, value, expected } => {
+                let place = match number {
+                    RockNumber::Density => self.density.place(),
+                    RockNumber::YoungsModulus => self.youngs_modulus.place(),
+                    RockNumber::PoissonRatio => self.poisson_ratio.place(),
+                    RockNumber::Cohesion => self.cohesion.place(),
+                    RockNumber::FrictionAngle => self.friction_angle.place(),
+                    RockNumber::DilationAngle => self.dilation_angle.place(),
+                    RockNumber::TensileStrength => self.tensile_strength.place(),
+                    RockNumber::TensileFractureEnergy => self.tensile_fracture_energy.place(),
+                    RockNumber::CompressiveFractureEnergy => {
+                        self.compressive_fracture_energy.place()
+                    }
+                    RockNumber::CrushingEnergy => self.crushing_energy.place(),
+                };
+                Diagnostic::error(format!("no rock has this: {number}")).at(
+                    place.unwrap_or(whole),
                     format!("expected {expected}, found {}", number_text(*value)),
                 )
             }

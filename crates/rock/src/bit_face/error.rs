@@ -1,14 +1,49 @@
 //! Why numbers make no bit.
 
+use crate::named_numbers::named_numbers;
+
+named_numbers! {
+    /// Numbers that describe the face of a bit.
+    FaceNumber {
+        Diameter "diameter",
+        CoreDiameter "core diameter",
+        Nose "nose position",
+        NoseRadius "nose radius",
+        CoreNoseRadius "nose radius of a core bit",
+        ShoulderRadius "shoulder radius",
+        GaugeLength "gauge length",
+        ConeAngle "cone angle",
+        Blades "number of blades",
+        CuttersPerBlade "cutters per blade",
+        CuttersPerTrack "cutters per track",
+        CutterDiameter "cutter diameter",
+        CutterLength "cutter length",
+        Chamfer "chamfer",
+        BackRake "back rake",
+        SideRake "side rake",
+        GaugeRelief "gauge relief",
+        Spiral "spiral of the blades",
+        Exposure "exposure",
+        BladeWidth "blade width",
+        CentreSpacing "centre spacing",
+        InsertDiameter "insert diameter",
+        Protrusion "protrusion",
+        Rows "rows of inserts",
+        Pitch "pitch of the inserts",
+        HalfAngle "half angle of the inserts",
+        TipRadius "tip radius of the inserts",
+    }
+}
+
 /// Why a bit cannot be built from its numbers. Cutters count from zero, from the axis outwards.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FaceError {
     /// A number that is not finite or outside its range.
-    #[error("bit face: {quantity} is {value}, expected {expected}")]
+    #[error("bit face: {number} is {value}, expected {expected}")]
     OutOfRange {
         /// Which of the numbers.
-        quantity: &'static str,
+        number: FaceNumber,
         /// Its value, SI.
         value: f64,
         /// Expected range.
@@ -66,7 +101,7 @@ pub enum FaceError {
 
 /// `value`, if it is finite and within `range`.
 pub(super) fn within(
-    quantity: &'static str,
+    number: FaceNumber,
     value: f64,
     range: std::ops::RangeInclusive<f64>,
     expected: &'static str,
@@ -74,11 +109,11 @@ pub(super) fn within(
     if range.contains(&value) && value.is_finite() {
         Ok(())
     } else {
-        Err(FaceError::OutOfRange { quantity, value, expected })
+        Err(FaceError::OutOfRange { number, value, expected })
     }
 }
 
 /// `value`, if it is finite and above zero.
-pub(super) fn positive(quantity: &'static str, value: f64) -> Result<(), FaceError> {
-    within(quantity, value, f64::MIN_POSITIVE..=f64::MAX, "above zero")
+pub(super) fn positive(number: FaceNumber, value: f64) -> Result<(), FaceError> {
+    within(number, value, f64::MIN_POSITIVE..=f64::MAX, "above zero")
 }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     body::Body,
     cutter::{Cutter, OFF_AXIS},
-    error::{FaceError, positive, within},
+    error::{FaceError, FaceNumber, positive, within},
     face::BitFace,
     profile::{Outline, Profile},
     revolved::Revolved,
@@ -121,22 +121,27 @@ impl InsertBit {
     /// no insert reaches.
     pub fn face(&self) -> Result<BitFace, FaceError> {
         let profile = self.profile()?;
-        positive("insert diameter", self.insert_diameter_m)?;
+        positive(FaceNumber::InsertDiameter, self.insert_diameter_m)?;
         within(
-            "protrusion",
+            FaceNumber::Protrusion,
             self.protrusion_m,
             1e-4..=self.insert_diameter_m,
             "0.1 mm up to the insert's diameter",
         )?;
-        within("rows of inserts", self.rows as f64, 1.0..=200.0, "1 to 200")?;
+        within(FaceNumber::Rows, self.rows as f64, 1.0..=200.0, "1 to 200")?;
         within(
-            "pitch of the inserts",
+            FaceNumber::Pitch,
             self.pitch_m,
             self.insert_diameter_m..=f64::MAX,
             "no less than the insert's diameter",
         )?;
         let relief = 0.0..=0.5 * self.insert_diameter_m;
-        within("gauge relief", self.gauge_relief_m, relief, "none, or up to an insert's radius")?;
+        within(
+            FaceNumber::GaugeRelief,
+            self.gauge_relief_m,
+            relief,
+            "none, or up to an insert's radius",
+        )?;
         let (solid, tip_radius, outline) = self.tip()?;
         let spacing = profile.length_m() / (self.rows as f64 - 1.0 + OFF_AXIS);
         let mut cutters = Vec::new();
@@ -165,13 +170,13 @@ impl InsertBit {
             InsertShape::Hemisphere => (a, 0.0),
             InsertShape::Cone { half_angle_rad, tip_radius_m } => {
                 within(
-                    "half angle of the inserts",
+                    FaceNumber::HalfAngle,
                     half_angle_rad,
                     0.1..=1.4,
                     "0.1 to 1.4 rad (80 deg)",
                 )?;
                 within(
-                    "tip radius of the inserts",
+                    FaceNumber::TipRadius,
                     tip_radius_m,
                     0.1 * a..=0.99 * a,
                     "0.1 to 0.99 of the insert's radius",

@@ -26,7 +26,7 @@ pub use self::{
     bottom::BottomHole,
     contact::{BitLoad, Contact, ContactLaw, RockNode},
     cutter::Cutter,
-    error::FaceError,
+    error::{FaceError, FaceNumber},
     face::{BitFace, Part, Touch},
     insert::{InsertBit, InsertShape},
     pdc::PdcBit,

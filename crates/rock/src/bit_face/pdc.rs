@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::{
     body::{Blades, Body},
     cutter::{Cutter, Disc, OFF_AXIS},
-    error::{FaceError, positive, within},
+    error::{FaceError, FaceNumber, positive, within},
     face::BitFace,
     profile::{Outline, Profile},
 };
@@ -205,12 +205,12 @@ impl PdcBit {
     }
 
     fn check(&self) -> Result<(), FaceError> {
-        for (quantity, count, most, expected) in [
-            ("number of blades", self.blades, 24.0, "1 to 24"),
-            ("cutters per blade", self.cutters_per_blade, 200.0, "1 to 200"),
-            ("cutters per track", self.cutters_per_track, 24.0, "1 to 24"),
+        for (number, count, most, expected) in [
+            (FaceNumber::Blades, self.blades, 24.0, "1 to 24"),
+            (FaceNumber::CuttersPerBlade, self.cutters_per_blade, 200.0, "1 to 200"),
+            (FaceNumber::CuttersPerTrack, self.cutters_per_track, 24.0, "1 to 24"),
         ] {
-            within(quantity, count as f64, 1.0..=most, expected)?;
+            within(number, count as f64, 1.0..=most, expected)?;
         }
         if !self.blades.is_multiple_of(self.cutters_per_track) {
             return Err(FaceError::Unspread {
@@ -219,22 +219,37 @@ impl PdcBit {
             });
         }
         let a = 0.5 * self.cutter_diameter_m;
-        positive("cutter diameter", self.cutter_diameter_m)?;
-        positive("cutter length", self.cutter_length_m)?;
+        positive(FaceNumber::CutterDiameter, self.cutter_diameter_m)?;
+        positive(FaceNumber::CutterLength, self.cutter_length_m)?;
         let chamfer = 0.0..=0.5 * a.min(self.cutter_length_m);
         within(
-            "chamfer",
+            FaceNumber::Chamfer,
             self.chamfer_m,
             chamfer,
             "none, or up to half of the cutter's radius and length",
         )?;
-        within("back rake", self.back_rake_rad, 0.0..=0.75, "0 to 0.75 rad (43 deg)")?;
-        within("side rake", self.side_rake_rad, -0.75..=0.75, "-0.75 to 0.75 rad (43 deg)")?;
-        within("gauge relief", self.gauge_relief_m, 0.0..=a, "none, or up to a cutter's radius")?;
-        within("spiral of the blades", self.spiral_rad, -3.2..=3.2, "at most half a turn")?;
-        within("exposure", self.exposure_m, 1e-4..=2.0 * a, "0.1 mm up to a cutter's diameter")?;
-        positive("blade width", self.blade_width_m)?;
-        within("centre spacing", self.centre_spacing, 0.2..=5.0, "0.2 to 5")
+        within(FaceNumber::BackRake, self.back_rake_rad, 0.0..=0.75, "0 to 0.75 rad (43 deg)")?;
+        within(
+            FaceNumber::SideRake,
+            self.side_rake_rad,
+            -0.75..=0.75,
+            "-0.75 to 0.75 rad (43 deg)",
+        )?;
+        within(
+            FaceNumber::GaugeRelief,
+            self.gauge_relief_m,
+            0.0..=a,
+            "none, or up to a cutter's radius",
+        )?;
+        within(FaceNumber::Spiral, self.spiral_rad, -3.2..=3.2, "at most half a turn")?;
+        within(
+            FaceNumber::Exposure,
+            self.exposure_m,
+            1e-4..=2.0 * a,
+            "0.1 mm up to a cutter's diameter",
+        )?;
+        positive(FaceNumber::BladeWidth, self.blade_width_m)?;
+        within(FaceNumber::CentreSpacing, self.centre_spacing, 0.2..=5.0, "0.2 to 5")
     }
 
     /// Positions of the tracks along a profile, m. The first is a quarter of a spacing from the

@@ -3,7 +3,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::error::{FaceError, positive, within};
+use super::error::{FaceError, FaceNumber, positive, within};
 
 /// The profile from the axis to the gauge: a straight cone, the arc of the nose, the arc of the
 /// shoulder, and the straight gauge, joined without a corner.
@@ -67,10 +67,10 @@ impl Profile {
             gauge_length_m,
             ..
         } = outline;
-        positive("diameter", diameter_m)?;
+        positive(FaceNumber::Diameter, diameter_m)?;
         let radius_m = 0.5 * diameter_m;
         within(
-            "core diameter",
+            FaceNumber::CoreDiameter,
             core_diameter_m,
             0.0..=0.9 * diameter_m,
             "none, or less than 0.9 of the diameter",
@@ -78,30 +78,35 @@ impl Profile {
         let core_radius_m = 0.5 * core_diameter_m;
         let is_core = core_radius_m > 0.0;
         within(
-            "nose position",
+            FaceNumber::Nose,
             nose_m,
             core_radius_m..=radius_m,
             "between the axis, or the core, and the gauge",
         )?;
-        positive("nose radius", nose_radius_m)?;
-        positive("shoulder radius", shoulder_radius_m)?;
-        within("gauge length", gauge_length_m, 0.0..=f64::MAX, "not negative")?;
+        positive(FaceNumber::NoseRadius, nose_radius_m)?;
+        positive(FaceNumber::ShoulderRadius, shoulder_radius_m)?;
+        within(FaceNumber::GaugeLength, gauge_length_m, 0.0..=f64::MAX, "not negative")?;
         let cone_angle_rad = if is_core {
             within(
-                "nose radius of a core bit",
+                FaceNumber::CoreNoseRadius,
                 nose_radius_m,
                 (nose_m - core_radius_m) * (1.0 - 1e-9)..=(nose_m - core_radius_m) * (1.0 + 1e-9),
                 "the nose's distance from the core",
             )?;
             FRAC_PI_2
         } else {
-            within("cone angle", outline.cone_angle_rad, 0.0..=1.3, "0 to 1.3 rad (75 deg)")?;
+            within(
+                FaceNumber::ConeAngle,
+                outline.cone_angle_rad,
+                0.0..=1.3,
+                "0 to 1.3 rad (75 deg)",
+            )?;
             outline.cone_angle_rad
         };
         let (sin, cos) = libm::sincos(cone_angle_rad);
         let cone_end = [nose_m - nose_radius_m * sin, -nose_radius_m * (1.0 - cos)];
         within(
-            "nose radius",
+            FaceNumber::NoseRadius,
             nose_radius_m,
             0.0..=(nose_m / sin.max(1e-9)) * (1.0 + 1e-9),
             "small enough to keep the nose's arc on its side of the axis",
