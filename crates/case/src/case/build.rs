@@ -2,30 +2,17 @@
 
 use std::path::Path as FilePath;
 
-use wholestring::{
-    dynamics::RockLaw,
-    model::Model,
-    mud::Fluids,
-    outcome::ModelKind,
-    well::{USUAL_DOGLEG_RAD_PER_M, Well, endured_dogleg_rad_per_m},
-};
+use wholestring::{model::Model, mud::Fluids, well::Well};
 use wholestring_config::{diagnostic::Report, file::tree, kind::Kind, prelude::*, usual};
 
 use super::table;
 use crate::{
-    bit::{Around, BitTable, Law},
-    bit_test::{self, BitTest},
-    case::{Case, table::CaseTable},
-    catalogue::OwnCatalogue,
-    dynamics::{DynamicsTable, GivenSettings, effort},
+    case::{Case, stages::Tables, table::CaseTable},
+    dynamics::effort,
     edit::overrides::{self, Override},
-    modes,
-    operation::OperationTable,
-    plan, rock,
+    modes, plan,
     settings::{Given, settings},
-    string::{assembly, fit, named_size},
     uncertain,
-    well::{hole, programme, roughness},
 };
 
 /// Reads a case from its text; `name` is its name in diagnostics.
@@ -79,12 +66,10 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     // Draws of an uncertain number are read with the sources of this moment.
     let sources = reader.sources.clone();
     let case = CaseTable::read(root, Span::default(), reader);
-    let own = match case.catalogue.optional() {
-        Some(Some(file)) => OwnCatalogue::beside(file, files, reader),
-        entry => entry.map(|_| OwnCatalogue::default()),
-    };
+    let tables = Tables::new(&case, files, reader);
     usual::warn_of_bare(reader);
-    let models = models(&case, reader);
+    let models = tables.models(reader);
+    let listed = models.as_deref().unwrap_or(&[]);
     let mud = case.mud.get().and_then(|mud| mud.build(reader));
     let steel = case.steel.get().and_then(|steel| steel.build(reader));
     let rig = case.rig.get().and_then(|rig| rig.build(reader));
@@ -93,180 +78,44 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         hoist.check_push(rig, reader);
     }
 
-    let well = case.well.at();
-    let mut stations = well.and_then(|at| at.value.stations(at.place, files, reader));
-    let units = case.units.get().copied().unwrap_or_default();
-    let path = well
-        .zip(stations.as_mut())
-        .and_then(|(at, stations)| at.value.path(stations, units, reader));
-    let sections = well.and_then(|at| at.value.hole.get());
-    let rough = well.and_then(|at| at.value.roughness.given());
-    let rough = rough.map(|at| &at.value);
-    let hole = sections.and_then(|sections| hole::build(sections, rough, own.as_ref(), reader));
-    let hole_notes = match (&hole, sections) {
-        (Some(hole), Some(sections)) => programme::check(hole, sections, reader),
-        _ => Vec::new(),
-    };
+    let mut bore = tables.bore(reader);
+    let bit_depth_m = tables.bit_depth_m(&bore);
+    let reached = tables.check_reaches(&bore, reader);
+    let spec = tables.string_spec(steel.as_ref(), reader);
+    bore.check_turns(spec.as_ref(), tables.rotates(), reader);
 
-    let last_md_m = path.as_ref().map(|path| path.last_md_m());
-    let operation = case.operation.get();
-    let bit_depth_m = operation.and_then(|operation| operation.bit_depth_m(last_md_m));
-    let bit_place = operation.and_then(OperationTable::bit_depth_place);
-    let reached = well.zip(bit_depth_m).and_then(|(at, bit_depth_m)| {
-        at.value.reaches(path.as_ref(), hole.as_ref(), bit_depth_m, bit_place, reader)
-    });
+    let bottom = tables.bottom(spec.as_ref(), reader);
+    let operations = tables.operations(bottom.bit.as_ref(), listed, bit_depth_m, reader);
+    let bit_test = tables.bit_test(&bottom, operations.as_deref(), reader);
+    let dynamics = tables.dynamics(bottom.bit, listed, mud.as_ref(), reader);
+    let (hole, given) = (bore.hole.as_ref(), operations.as_deref());
+    tables.check_dynamics(dynamics.as_ref(), hole, given, listed, reader)?;
+    let tunes_hook_load = tables.tunes_hook_load(given, dynamics.as_ref(), reader);
+    let records = tables.records(dynamics.as_ref(), bit_depth_m, reader);
 
-    let components = case.string.get();
-    let spec = components
-        .zip(steel.as_ref())
-        .zip(own.as_ref())
-        .and_then(|((components, steel), own)| assembly::spec(components, steel, own, reader));
-    if let (Some(_), Some(stations)) = (&path, stations.as_mut()) {
-        let od_m = spec.as_ref().and_then(assembly::longest).map(|pipe| pipe.od_m);
-        let endured = od_m.map_or(USUAL_DOGLEG_RAD_PER_M, endured_dogleg_rad_per_m);
-        stations.check_turns(endured, reader);
-    }
-    let lowest = spec.as_ref().and_then(|spec| spec.components.first());
-    let bit_radius_m = lowest.map(|bit| 0.5 * bit.od_m);
-    let tested = bit_test::place(&case.bit_test);
-    let drilling = case.bit.get().and_then(|bit| {
-        let required_by = match tested {
-            Some(place) => Some((place, "a bit test")),
-            None => {
-                let law = bit.laws.law.at().filter(|law| law.value == Law::Rock);
-                law.map(|law| (law.place, "the law \"rock\""))
-            }
-        };
-        let od = components.and_then(|all| all.first()).map(|at| at.value.od_place(at.place));
-        let lowest = lowest.map(|bit| bit.od_m).zip(od);
-        rock::drilling(&case.rock, bit, required_by, lowest, reader)
-    });
-    let ends = case.ends.get().and_then(|ends| ends.build(case.bit.get(), reader));
-    let around = Around {
-        radius_m: bit_radius_m,
-        flow_m3_per_s: operation.and_then(|operation| operation.flow_rate.get().copied()),
-        drilling: drilling.as_ref().and_then(Option::as_ref),
-        is_tested: tested.is_some(),
-        files,
-    };
-    let bit = case.bit.get().and_then(|bit| bit.build(&around, reader));
-
-    let operations = match (operation, case.bit.get()) {
-        (Some(operation), Some(table)) => operation.build(
-            (table, bit.as_ref()),
-            models.as_deref().unwrap_or(&[]),
-            bit_depth_m,
-            reader,
-        ),
-        _ => None,
-    };
-    let sample_interval_s = case.dynamics.get().and_then(DynamicsTable::sample_interval_s);
-    let valid = bit.as_ref().zip(operations.as_ref()).zip(sample_interval_s);
-    let bit_test = match (&drilling, valid, case.bit_test.at()) {
-        (Some(None), ..) => Some(None),
-        (Some(Some(drilling)), Some(((bit, operations), sample_interval_s)), Some(table)) => {
-            let around = bit_test::Around { drilling, bit, operations, sample_interval_s };
-            bit_test::build(table, tested.is_some(), &around, reader)
-        }
-        _ => None,
-    };
-    let schedule = operation.and_then(|operation| {
-        let end_s = case.dynamics.get().and_then(DynamicsTable::end_s);
-        operation.schedule(models.as_deref().unwrap_or(&[]), end_s, reader)
-    });
-    let top_drive = case.top_drive.get().and_then(|drive| drive.build(reader));
-    if let (Some(operation), Some(mud)) = (operation, &mud) {
-        let turns_motor = case.bit.get().is_some_and(BitTable::takes_flow);
-        operation.check_flow(mud, turns_motor, reader);
-    }
-    let dynamics = match (case.dynamics.get(), case.mesh.get(), case.hoist.get()) {
-        (Some(dynamics), Some(mesh), Some(hoist)) => {
-            let given_settings = GivenSettings { hoist, bit, top_drive, schedule };
-            dynamics.build(mesh, given_settings, reader)
-        }
-        _ => None,
-    };
-
-    if let (Some(dynamics), Some(hole)) = (case.dynamics.get(), &hole) {
-        dynamics.check_stribeck(hole, reader);
-    }
-    if let (Some(table), Some(settings), Some(operations), Some(models)) =
-        (case.dynamics.get(), &dynamics, &operations, &models)
-        && ModelKind::any_in_time(models)
-    {
-        table.check_precision(operations, settings, reader)?;
-    }
-    let tunes_hook_load = match (case.hoist.get(), &operations, &dynamics) {
-        (Some(hoist), Some(operations), Some(dynamics)) => {
-            hoist.tunes_hook_load(operations, &dynamics.schedule, reader)
-        }
-        _ => None,
-    };
-    let records = match (&dynamics, case.records.get()) {
-        (Some(dynamics), Some(records)) => records.build(dynamics, bit_depth_m, reader),
-        _ => None,
-    };
-
-    let drill_string = match (&spec, components, bit_depth_m) {
-        (Some(spec), Some(components), Some(bit_depth_m)) => {
-            assembly::assemble(spec, components, bit_depth_m, bit_place, reader)
-        }
-        _ => None,
-    };
-    if let (Some(drill_string), Some(components)) = (&drill_string, components) {
-        if let (Some(hole), Some(sections)) = (&hole, sections) {
-            fit::check_clearance(drill_string, components, hole, sections, reader);
-            fit::check_gauge(drill_string, components, hole, sections, reader);
-            if let Some(own) = &own {
-                programme::check_drift(drill_string, components, hole, sections, own, reader);
-            }
-            let rms = rough.and_then(|table| table.rms.given());
-            roughness::check_clearance(drill_string, hole, rms.map(|at| at.place), reader);
-        }
-        named_size::check(drill_string, components, reader);
-        fit::check_programme(drill_string, components, reader);
-        if let Some(mud) = &mud {
-            let wob = operation.and_then(|operation| operation.wob.given());
-            fit::check_weight_on_bit(drill_string, mud, wob, reader);
-        }
-        if let (Some(mud), Some(place)) = (&mud, case.mud.get().and_then(|mud| mud.density.at())) {
-            fit::check_weight(drill_string, components, mud, place.place, reader);
-        }
+    let drill_string = tables.string(spec.as_ref(), bit_depth_m, reader);
+    if let Some(string) = &drill_string {
+        tables.check_string(string, hole, mud.as_ref(), reader);
     }
 
     reached?;
     let model = Model {
-        well: Well { path: path?, hole: hole? },
+        well: Well { path: bore.path?, hole: bore.hole? },
         string: drill_string?,
         mud: mud?,
         fluids: Fluids::default(),
         rig: rig?,
-        ends: ends?,
+        ends: bottom.ends?,
         buckling: *case.buckling.get()?.criterion.get()?,
     };
     let soft = case.buckling.get()?.soft()?;
     let (models, operations) = (models?, operations?);
     let (mut dynamics, records, tunes_hook_load) = (dynamics?, records?, tunes_hook_load?);
-    let (drilling, bit_test) = (drilling?, bit_test?);
+    let (drilling, bit_test) = (bottom.drilling?, bit_test?);
     dynamics.probes.clone_from(&records.probes);
-    if let (Some(drilling), Some(rock)) = (&drilling, case.rock.given()) {
-        let drills = ModelKind::any_in_time(&models)
-            && case.bit.get().and_then(|bit| bit.laws.law.get()) == Some(&Law::Rock)
-            && operations.iter().any(|one| one.kind.on_bottom());
-        let speeds = operations
-            .iter()
-            .filter(|one| drills && one.kind.on_bottom())
-            .map(|one| dynamics.bit.drilling_speed_rad_per_s(one));
-        let run_s = speeds
-            .clone()
-            .map(|speed_rad_per_s| dynamics.longest_s() + RockLaw::run_in_s(speed_rad_per_s));
-        let test_s = tested.and(bit_test.as_ref()).map_or(0.0, BitTest::time_s);
-        let longest_s = run_s.fold(test_s, f64::max);
-        let points = tested.and(bit_test.as_ref()).into_iter();
-        let points = points.flat_map(|test| test.rotary_speeds_rad_per_s.iter().copied());
-        let fastest = speeds.chain(points).fold(0.0, f64::max);
-        rock.value.warn_of_inertia(drilling, fastest, rock.place, reader);
-        rock.value.check_effort(drilling, longest_s, rock.place, reader)?;
+    if let Some(drilling) = &drilling {
+        let solved = (&*models, &*operations);
+        tables.check_rock(drilling, bit_test.as_ref(), solved, &dynamics, reader)?;
     }
     effort::check_effort(&models, &model, &operations, &dynamics, &case, reader)?;
     let modes = case.modes.get()?;
@@ -312,8 +161,8 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         tunes_hook_load,
         checkpoint_interval_s,
         records,
-        survey_notes: stations.map_or_else(Vec::new, |stations| stations.notes),
-        hole_notes,
+        survey_notes: bore.stations.map_or_else(Vec::new, |stations| stations.notes),
+        hole_notes: bore.notes,
         mud_notes: case.mud.get()?.note(reader).into_iter().collect(),
         warnings: Report::default(),
         settings,
@@ -326,10 +175,4 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
         (case, checked.into_report().diagnostics)
     });
     Some(made)
-}
-
-fn models(case: &CaseTable, reader: &mut Reader) -> Option<Vec<ModelKind>> {
-    let models = case.model.get()?;
-    once_each(models, ModelKind::name, reader)?;
-    Some(models.iter().map(|at| at.value).collect())
 }

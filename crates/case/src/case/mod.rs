@@ -3,6 +3,7 @@
 pub(crate) mod build;
 mod identity;
 pub(crate) mod parts;
+mod stages;
 pub(crate) mod table;
 pub(crate) mod template;
 

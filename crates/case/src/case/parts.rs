@@ -6,12 +6,10 @@ use wholestring::{
 };
 use wholestring_config::{file::tree, prelude::*};
 
-use crate::{
-    case::{build::CASE_FILE, table::CaseTable},
-    catalogue::OwnCatalogue,
-    operation::OperationTable,
-    string::assembly,
-    well::hole,
+use crate::case::{
+    build::CASE_FILE,
+    stages::{Bore, Tables},
+    table::CaseTable,
 };
 
 /// Survey, path, hole and string of a case, each where it can be read. The mistakes of the rest are
@@ -40,33 +38,16 @@ impl Parts {
         };
         let reader = &mut reader;
         let case = CaseTable::read(&root, Span::default(), reader);
-        let own = match case.catalogue.optional() {
-            Some(Some(file)) => OwnCatalogue::beside(file, files, reader),
-            entry => entry.map(|_| OwnCatalogue::default()),
+        let tables = Tables::new(&case, files, reader);
+        let bore = tables.bore(reader);
+        let bit_depth_m = match case.operation.get() {
+            Some(_) => tables.bit_depth_m(&bore),
+            None => bore.path.as_ref().map(Path::last_md_m),
         };
-        let well = case.well.at();
-        let mut stations = well.and_then(|at| at.value.stations(at.place, files, reader));
-        let units = case.units.get().copied().unwrap_or_default();
-        let path = well
-            .zip(stations.as_mut())
-            .and_then(|(at, stations)| at.value.path(stations, units, reader));
-        let sections = well.and_then(|at| at.value.hole.get());
-        let rough = well.and_then(|at| at.value.roughness.given());
-        let rough = rough.map(|at| &at.value);
-        let hole = sections.and_then(|sections| hole::build(sections, rough, own.as_ref(), reader));
-        let last_md_m = path.as_ref().map(Path::last_md_m);
-        let operation = case.operation.get();
-        let bit_depth_m = match operation {
-            Some(operation) => operation.bit_depth_m(last_md_m),
-            None => last_md_m,
-        };
-        let bit_place = operation.and_then(OperationTable::bit_depth_place);
         let steel = case.steel.get().and_then(|steel| steel.build(reader));
-        let string = case.string.get().zip(steel).zip(own).zip(bit_depth_m);
-        let string = string.and_then(|(((components, steel), own), bit_depth_m)| {
-            let spec = assembly::spec(components, &steel, &own, reader)?;
-            assembly::assemble(&spec, components, bit_depth_m, bit_place, reader)
-        });
+        let spec = tables.string_spec(steel.as_ref(), reader);
+        let string = tables.string(spec.as_ref(), bit_depth_m, reader);
+        let Bore { stations, path, hole, .. } = bore;
         let (tie_in, stations) =
             stations.map_or((None, Vec::new()), |stations| (stations.tie_in, stations.list));
         Self { stations, tie_in, path, hole, string, bit_depth_m }

@@ -21,7 +21,9 @@ table! {
     RigTable in "[rig]" {
         /// Weight of travelling block and top drive. Never part of the reported hook load. Their
         /// inertia is `mass` of `[hoist]`.
-        block_weight: f64 = optional(force("20 tf"));
+        block_weight: f64 = optional(Quantity::si(
+            Dimension::Force, Range::from_to(0.0, 1e8).usual(1e4, 2e7), "20 tf",
+        ));
         /// Largest load that the hoist carries, block included.
         hoist_capacity: f64 = optional(force("450 tf"));
         /// Largest force with which the rig pushes the string into the hole, the block's weight

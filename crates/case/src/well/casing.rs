@@ -19,13 +19,18 @@ impl HoleTable {
         own_place.or(self.casing.given().map(|at| at.place))
     }
 
-    /// Returns the diameter of the hole, given or that of the casing; `None` after a mistake. `own`
-    /// is `None` after a mistake in the user's catalogue.
-    pub(crate) fn bore(&self, own: Option<&OwnCatalogue>, reader: &mut Reader) -> Option<Bore> {
+    /// Returns the diameter of the hole, given or that of the casing; `None` after a mistake. `below`
+    /// are the sections below; `own` is `None` after a mistake in the user's catalogue.
+    pub(crate) fn bore(
+        &self,
+        below: &[Spanned<Self>],
+        own: Option<&OwnCatalogue>,
+        reader: &mut Reader,
+    ) -> Option<Bore> {
         let diameter = self.diameter.optional()?;
         let Some(name) = self.casing.optional()? else {
             let diameter = diameter?;
-            self.warn_of_outside_diameter(diameter, reader);
+            self.warn_of_outside_diameter(diameter, below, reader);
             return Some(Bore { diameter_m: diameter.value, casing: None });
         };
         if let Some(diameter) = diameter {
@@ -68,10 +73,20 @@ impl HoleTable {
     }
 
     /// Warns of an outside diameter: casing is named by it, but the string moves in the inside one.
-    fn warn_of_outside_diameter(&self, diameter: &Spanned<f64>, reader: &mut Reader) {
+    /// It is the inside one where the bit of a section below passes it and passes no casing of this
+    /// outside diameter.
+    fn warn_of_outside_diameter(
+        &self,
+        diameter: &Spanned<f64>,
+        below: &[Spanned<Self>],
+        reader: &mut Reader,
+    ) {
         let sizes = casing::of_outside_diameter(diameter.value);
         let Some(first) = sizes.first() else { return };
-        if self.kind.get() != Some(&HoleKind::Casing) {
+        let widest_m = sizes.iter().fold(0.0, |widest_m, casing| f64::max(widest_m, casing.id_m));
+        let mut drilled = below.iter().filter_map(|table| table.value.diameter.given());
+        let is_inside = drilled.any(|at| (widest_m..=diameter.value).contains(&at.value));
+        if is_inside || self.kind.get() != Some(&HoleKind::Casing) {
             return;
         }
         let written = reader.text_at(diameter.place);

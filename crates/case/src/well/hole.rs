@@ -159,7 +159,7 @@ pub(crate) fn build(
     let mut sections = Vec::new();
     let mut above: Option<(f64, Span)> = None;
     let mut valid = true;
-    for table in tables {
+    for (index, table) in tables.iter().enumerate() {
         let Some(to) = table.value.to.at() else {
             valid = false;
             above = None;
@@ -179,7 +179,7 @@ pub(crate) fn build(
         } else if let Some(from) = table.value.from.given() {
             valid &= check_from(from, above, sections.is_empty(), reader);
         }
-        let bore = table.value.bore(own, reader);
+        let bore = table.value.bore(&tables[index + 1..], own, reader);
         match section(&table.value, above.map_or(0.0, |(md_m, _)| md_m), bore) {
             Some(section) => sections.push(section),
             None => valid = false,

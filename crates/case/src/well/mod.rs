@@ -4,7 +4,7 @@ pub(crate) mod casing;
 pub(crate) mod hole;
 pub(crate) mod programme;
 pub(crate) mod roughness;
-mod stations;
+pub(crate) mod stations;
 mod tortuosity;
 
 use wholestring::well::{Hole, Interpolation, Path, PathError, TieIn};

@@ -116,6 +116,9 @@ fn casing_is_called_by_its_outside_diameter() {
         casing_outside_or_inside_diameter: `"222.96 mm"` -> `"7-5/8 in"`
         "#,
     );
+    // An 8-1/2 in bit passes the bore of 9-7/8 in casing, and no 8-5/8 in casing.
+    let inside = read(&changed("222.96 mm", "8.625 in")).expect("a casing of 9-7/8 in");
+    assert!(inside.warnings.is_empty(), "{}", inside.warnings);
     let open = changed("\"215.9 mm\"\nfriction", "\"9-5/8 in\"\nfriction");
     let open = read(&open).expect("an open hole of 9-5/8 in");
     assert!(open.warnings.is_empty(), "{}", open.warnings);
