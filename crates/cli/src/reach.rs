@@ -7,7 +7,7 @@ use wholestring::operation::OperationKind;
 use wholestring_results::ReachSummary;
 use wholestring_runner::{
     job::{Job, ReachOptions, Work, operation},
-    reach::{answers, notes, scatter, uncertain_notes},
+    reach::{answers, end_of_limit, notes, scatter, uncertain_notes},
 };
 use wholestring_units::{Dimension, UnitSet};
 
@@ -112,23 +112,17 @@ pub(crate) fn text(summary: &ReachSummary, units: UnitSet) -> String {
         let headings = [
             "operation".to_owned(),
             "limit".to_owned(),
-            format!("met at, {}", length.symbol),
+            format!("reached at, {}", length.symbol),
             format!("margin at {}, %", depth(summary.from_m)),
             format!("at {}, %", depth(summary.to_m)),
             format!("worst at MD, {}", length.symbol),
         ];
         let mut table = Table::new(answer, 2, &headings.each_ref().map(String::as_str));
         for limit in &friction.limits {
-            let met = match limit.depth_m {
-                Some(_) if limit.already => format!("{} already", depth(summary.from_m)),
-                Some(depth_m) => depth(depth_m),
-                None if limit.margin_at_from.is_none() => "no answer: locked up".to_owned(),
-                None => format!("none to {}", depth(summary.to_m)),
-            };
             table.row(vec![
                 limit.operation.words().to_owned(),
                 limit.title.clone(),
-                met,
+                end_of_limit(limit, summary, depth),
                 percent(limit.margin_at_from),
                 percent(limit.margin_at_to),
                 limit.at_md_m.map_or_else(|| "–".to_owned(), depth),

@@ -52,7 +52,9 @@ pub use plan::{
     surface_limit_is_near, surface_limit_title,
 };
 pub use plots::{Plot, Run, common_operations, plots, profile, shown_dimension};
-pub use reach::{REACH_PICTURES, Reach, reach_answers, reach_html, reach_notes, reach_plots};
+pub use reach::{
+    REACH_PICTURES, Reach, end_of_limit, reach_answers, reach_html, reach_notes, reach_plots,
+};
 pub use run::{
     ContactPicture, Frames, KeyResult, Part, Report, Section, Solved, Spectrum, TimeRun, Well,
     path_of, well_path,

@@ -111,10 +111,14 @@ rows! {
         title: String, "The limit in words";
         stops: bool => Ratio, "1 where the string stops there, 0 where it continues buckled";
         depth_m: Option<f64> => Depth,
-            "Depth of the bit where it is first reached, `null` where it is not reached, and where \
-             the string is locked up at the first depth already, which `push_absorbed` is",
+            "Depth of the bit where it is first reached, `null` where it is not reached",
             null_where "it is not reached";
         already: bool => Ratio, "1 where it is reached at the first depth already, else 0";
+        #[serde(default)]
+        locked_up_m: Option<f64> => Depth,
+            "Depth of the bit where the string locks up before it reaches the limit, `null` where \
+             it does not",
+            null_where "the string does not lock up before";
         margin_at_from: Option<f64> => Ratio,
             "`margin` at the first depth, `null` for a string that is locked up",
             null_where "the string is locked up";

@@ -25,8 +25,8 @@ pub struct Margin {
     pub load: f64,
     /// Upper bound of the load; NaN without compression.
     pub bound: f64,
-    /// The margin: one or less, zero at the limit, negative beyond; minus infinity for a string
-    /// that is locked up.
+    /// The margin: one or less, zero at the limit, negative beyond, those of rig and strength no less
+    /// than [`LEAST_MARGIN`]; minus infinity for a string that is locked up.
     pub margin: f64,
     /// Measured depth of the smallest margin, m; `None` for limits at the surface.
     pub at_md_m: Option<f64>,
@@ -41,6 +41,10 @@ const LESS: f64 = 1e-3;
 
 /// A distance larger than the rounding of a depth, m.
 const JUST_M: f64 = 1e-6;
+
+/// Least margin of a limit of rig or string that is not locked up: where tension leaves a pipe no
+/// capacity, its load exceeds it without bound.
+pub const LEAST_MARGIN: f64 = -10.0;
 
 /// Relative difference by rounding of two ways to the same load.
 const ROUNDING: f64 = 1e-9;
@@ -171,7 +175,10 @@ impl At<'_> {
             return Margin { limit, load, bound, margin: 1.0, at_md_m: None };
         };
         let required = required.unwrap_or(1.0);
-        let margin = 1.0 - load * required / capacity;
+        let margin = match *capacity > 0.0 {
+            true => (1.0 - load * required / capacity).max(LEAST_MARGIN),
+            false => LEAST_MARGIN,
+        };
         // As a part of its capacity, where the limit stands for several quantities.
         let (load, capacity) =
             if limit.unit().is_empty() { (load / capacity, 1.0) } else { (*load, *capacity) };

@@ -15,6 +15,6 @@ mod margin;
 mod search;
 mod settings;
 
-pub use margin::{Margin, Margins, margins};
+pub use margin::{LEAST_MARGIN, Margin, Margins, margins};
 pub use search::{Curve, End, OperationReach, first_stop, reach, reach_unless};
 pub use settings::{ReachError, ReachSettings};

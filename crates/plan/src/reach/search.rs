@@ -18,8 +18,8 @@ pub enum End {
     Already(f64),
     /// It is not reached down to this depth, m.
     NoneTo(f64),
-    /// The string is locked up at the first depth of the grid, m, already: nothing is known of this
-    /// limit.
+    /// The string locks up at this depth, m, and has not reached the limit before; it is the first
+    /// depth of the grid where nothing is known of the limit.
     LockedUp(f64),
 }
 
@@ -29,6 +29,14 @@ impl End {
         match self {
             Self::At(depth_m) | Self::Already(depth_m) => Some(depth_m),
             Self::NoneTo(_) | Self::LockedUp(_) => None,
+        }
+    }
+
+    /// Returns the depth where the string locks up before it reaches the limit, m.
+    pub const fn locked_up_m(self) -> Option<f64> {
+        match self {
+            Self::LockedUp(depth_m) => Some(depth_m),
+            Self::At(_) | Self::Already(_) | Self::NoneTo(_) => None,
         }
     }
 }
@@ -44,7 +52,8 @@ pub struct Curve {
     pub margins: Vec<Margin>,
     /// Depth at which it is first reached, if it is.
     pub end: End,
-    /// The margin there, nearly zero. For a limit that is not reached: at the last depth.
+    /// The margin there, nearly zero. For a limit that is not reached: at the last depth that has
+    /// one.
     pub there: Margin,
 }
 
@@ -172,6 +181,11 @@ fn end(
     let end = |index: usize| (points[index].0, bounded(points[index].1.margin));
     let margin_at = |depth_m: f64| one(depth_m).map(|margin| bounded(margin.margin));
     let found_m = root(margin_at, [end(above), end(met)], tolerance_m)?;
+    // The margin of a string that locks up falls without end: that is no zero of this limit.
+    let locks_up = one(found_m + tolerance_m)?.margin == f64::NEG_INFINITY;
+    if locks_up && !is_lock {
+        return Ok((End::LockedUp(found_m), one((found_m - tolerance_m).max(points[above].0))?));
+    }
     Ok((End::At(found_m), one(found_m)?))
 }
 

@@ -17,7 +17,10 @@ use wholestring::{
 use wholestring_judge::{CheckKind, DepthLimit, DesignFactors};
 use wholestring_plan::{
     Setup,
-    reach::{Curve, End, ReachError, ReachSettings, first_stop, margins, reach, reach_unless},
+    reach::{
+        Curve, End, LEAST_MARGIN, ReachError, ReachSettings, first_stop, margins, reach,
+        reach_unless,
+    },
     root,
 };
 

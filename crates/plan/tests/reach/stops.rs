@@ -307,3 +307,42 @@ fn limits_of_the_rig_stop_every_operation() {
         assert!(lacks.into_iter().any(|kind| kind == CheckKind::TopDrive));
     }
 }
+
+/// A string that locks up on the way down reaches no other limit there: its margins are finite to
+/// that depth, and nothing is known of them below.
+#[test]
+fn lock_up_on_the_way_down_is_no_other_limit() {
+    let file = file("S5_reach.json");
+    let mut level = setup(&file["inputs"], &[[0.0, 90.0], [100.0, 90.0]], 0.3);
+    level.string.components[0].yield_strength_Pa = Some(900e6);
+    level.rig.hoist_capacity_N = Some(1.5e6);
+    let settings = ReachSettings { to_m: 30e3, depths: 12, ..ReachSettings::from_depth(1000.0) };
+    let slide = Operation::slide(0.0).weight_on_bit_N(50e3);
+    let found = reach(&level, &slide, &settings).expect("a reach");
+    let end = |limit| found.curves.iter().find(|curve| curve.limit == limit).expect("a limit");
+    let End::At(lock_m) = end(DepthLimit::PushAbsorbed).end else { panic!("locks up") };
+    assert!((1e3..20e3).contains(&lock_m), "{lock_m}");
+    let hoist = end(DepthLimit::Hoist);
+    let End::LockedUp(hoist_m) = hoist.end else { panic!("{:?}", hoist.end) };
+    assert!((hoist_m - lock_m).abs() <= 2.0 * settings.tolerance_m, "{hoist_m} {lock_m}");
+    // The block pushes: it hangs on the hoist less and less.
+    assert_eq!(hoist.there.margin, 1.0);
+    assert!(found.curves.iter().all(|curve| curve.there.margin.is_finite()));
+}
+
+/// Where tension leaves a pipe no capacity, the margin is at its least: the string is not locked
+/// up, and the limit stops it before.
+#[test]
+fn a_pipe_without_capacity_is_not_locked_up() {
+    let file = file("S5_reach.json");
+    let mut steep = setup(&file["inputs"], &[[0.0, 0.0], [1000.0, 0.0]], 0.3);
+    steep.string.components[0].yield_strength_Pa = Some(400e6);
+    let settings = ReachSettings { to_m: 30e3, depths: 12, ..ReachSettings::from_depth(1000.0) };
+    let found = reach(&steep, &Operation::rotate_off_bottom(0.0).rpm(60.0), &settings);
+    let found = found.expect("a reach");
+    let strength = found.curves.iter().find(|curve| curve.limit == DepthLimit::Strength);
+    let strength = strength.expect("a limit of the strength");
+    assert!(matches!(strength.end, End::At(_)), "{:?}", strength.end);
+    let least = strength.margins.last().expect("a margin").margin;
+    assert_eq!(least, LEAST_MARGIN);
+}

@@ -6,7 +6,7 @@ mod sentences;
 
 pub use figures::{REACH_PICTURES, reach_plots};
 pub use page::reach_html;
-pub use sentences::{reach_answers, reach_notes};
+pub use sentences::{end_of_limit, reach_answers, reach_notes};
 
 use wholestring::operation::OperationKind;
 use wholestring_judge::DepthLimit;

@@ -2,14 +2,14 @@
 
 use wholestring_results::{ReachCheck, ReachLimit, ReachOfFriction};
 
-use super::{Reach, figures::reach_plots, is_first, reach_answers, reach_notes, sentences};
+use super::{Reach, end_of_limit, figures::reach_plots, is_first, reach_answers, sentences};
 use crate::{
     Grid, StudyPage, StudyPart, Verdict, grid_cells::head, plots::DisplayUnits,
     study::study_html_in_units, uncertain,
 };
 
-/// Meaning of the page's numbers.
-const ABOUT: &str = "The well is continued in its last direction, and the string is lengthened at \
+/// Method, and meaning of the margins.
+const METHOD: &str = "The well is continued in its last direction, and the string is lengthened at \
     its top. At each depth the soft string is compared with the limits of rig and string. A margin \
     is the remaining part of a limit, 0 % where it is reached: for the top drive and the hoist \
     relative to their capacities, for the hook load and the push relative to the hanging weight \
@@ -34,10 +34,8 @@ fn page(reach: &Reach, units: &str) -> StudyPage {
     let display = DisplayUnits::new(&reach.head.dimensions, units);
     let facts = reach.head.facts.iter().filter_map(|fact| display.fact(fact));
     let facts = format!("{}.", facts.collect::<Vec<_>>().join("; "));
-    let answers = reach_answers(&reach.summary, display.unit_set());
-    let notes = reach_notes(&reach.summary, display.unit_set());
-    let paragraphs = answers.iter().map(String::as_str).chain([&*facts, ABOUT]);
-    let paragraphs = paragraphs.chain(notes.iter().map(String::as_str));
+    let mut answers = reach_answers(&reach.summary, display.unit_set());
+    answers.push(facts);
     let mut parts: Vec<StudyPart> = verdicts(reach, display).into_iter().collect();
     for plot in reach_plots(reach, units) {
         let (title, caption) = match plot.name.as_str() {
@@ -59,10 +57,13 @@ fn page(reach: &Reach, units: &str) -> StudyPage {
         parts.extend(uncertain::owed(samples));
     }
     parts.push(limits(reach, display));
+    let mut notes = vec![METHOD.to_owned()];
+    notes.extend(sentences::assumptions(&reach.summary, display.unit_set()));
+    parts.push(StudyPart::Text { title: "Notes".into(), text: notes.join("\n\n") });
     StudyPage {
         program: reach.head.program.clone(),
         title: reach.head.title.clone(),
-        description: paragraphs.collect::<Vec<_>>().join("\n\n"),
+        description: answers.join("\n\n"),
         parts,
     }
 }
@@ -85,11 +86,18 @@ fn verdicts(reach: &Reach, display: DisplayUnits<'_>) -> Option<StudyPart> {
         cells
     };
     let rows: Vec<_> = checks.into_iter().map(row).collect();
-    let caption = "How far each operation goes, the most severe first: short of the planned depth \
-        is an error.";
+    let mut caption = format!(
+        "How far each operation goes, the most severe first: short of the planned depth is an \
+         error. {}",
+        sentences::SOFT
+    );
+    if !reach.summary.unchecked.is_empty() {
+        let unchecked = reach.summary.unchecked.join("; ");
+        caption += &format!(" Not checked for want of data: {unchecked}.");
+    }
     (!rows.is_empty()).then(|| StudyPart::Table {
         title: "Verdict".into(),
-        caption: caption.into(),
+        caption,
         grid: Grid { heads, rows },
         files: "summary".into(),
         endings: &["json"],
@@ -97,8 +105,8 @@ fn verdicts(reach: &Reach, display: DisplayUnits<'_>) -> Option<StudyPart> {
 }
 
 fn limits(reach: &Reach, display: DisplayUnits<'_>) -> StudyPart {
-    let ends_m = [reach.summary.from_m, reach.summary.to_m];
-    let [from, to] = ends_m.map(|depth_m| display.depth(depth_m));
+    let summary = &reach.summary;
+    let [from, to] = [summary.from_m, summary.to_m].map(|depth_m| display.depth(depth_m));
     // A single friction is given above, for the whole page.
     let several = reach.has_frictions();
     // The depth is the answer: it is in sight on a narrow page too.
@@ -112,12 +120,7 @@ fn limits(reach: &Reach, display: DisplayUnits<'_>) -> StudyPart {
         head("then", true),
     ]);
     let row = |(reach, row): (&ReachOfFriction, &ReachLimit)| -> Vec<(String, Verdict)> {
-        let depth = match row.depth_m {
-            Some(_) if row.already => format!("{from} already"),
-            Some(depth_m) => display.depth(depth_m),
-            None if row.margin_at_from.is_none() => "no answer: locked up".to_owned(),
-            None => format!("none to {to}"),
-        };
+        let depth = end_of_limit(row, summary, |depth_m| display.depth(depth_m));
         let [at_from, at_to] = [row.margin_at_from, row.margin_at_to].map(|margin| match margin {
             Some(margin) => format!("{:.1}", 100.0 * margin).replace('-', "\u{2212}"),
             None => "locked up".to_owned(),

@@ -1,6 +1,6 @@
 //! Results of a reach in sentences.
 
-use wholestring_results::{ReachOfFriction, ReachSummary};
+use wholestring_results::{ReachLimit, ReachOfFriction, ReachSummary};
 use wholestring_units::{Dimension, UnitSet};
 
 /// A friction factor in words.
@@ -53,19 +53,42 @@ pub fn reach_answers(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
     summary.frictions.iter().map(answer).collect()
 }
 
+/// Depth of the bit where a limit is reached, in words; `depth` writes a depth in m.
+pub fn end_of_limit(
+    limit: &ReachLimit,
+    summary: &ReachSummary,
+    depth: impl Fn(f64) -> String,
+) -> String {
+    match (limit.depth_m, limit.locked_up_m) {
+        (Some(_), _) if limit.already => format!("{} already", depth(summary.from_m)),
+        (Some(depth_m), _) => depth(depth_m),
+        (None, _) if limit.margin_at_from.is_none() => "no answer: locked up".to_owned(),
+        (None, Some(locked_up_m)) => format!("none to {}: locked up", depth(locked_up_m)),
+        (None, None) => format!("none to {}", depth(summary.to_m)),
+    }
+}
+
 /// Note on the bending stiffness, which the soft string leaves out.
-const SOFT: &str = "The reach is that of the soft string. With its bending stiffness the string \
+pub(super) const SOFT: &str = "The reach is that of the soft string. With its bending stiffness the string \
                     may lock up at a shallower depth: solve the deepest point with the stiff \
                     string too.";
 
-/// Additional notes: the model, the critical inclination, helices without friction, operations that
-/// were left out.
+/// Additional notes: the model, the hole and the helices, operations that were left out, limits that
+/// could not be checked.
 pub fn reach_notes(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
+    let mut notes = vec![SOFT.to_owned()];
+    notes.extend(assumptions(summary, units));
+    notes.extend(summary.unchecked.iter().map(|phrase| format!("Not checked: {phrase}.")));
+    notes
+}
+
+/// The critical inclination, the treatment of helices, and operations that were left out.
+pub(super) fn assumptions(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
     let angle = |rad: f64| {
         let unit = Dimension::Angle.unit_in(units);
         format!("{:.1} {}", unit.from_si(rad), unit.symbol)
     };
-    let mut notes = vec![SOFT.to_owned()];
+    let mut notes = Vec::new();
     for reach in &summary.frictions {
         let Some(critical_rad) = reach.critical_inclination_rad else { continue };
         let inclination = angle(summary.inclination_rad);
@@ -92,6 +115,5 @@ pub fn reach_notes(summary: &ReachSummary, units: UnitSet) -> Vec<String> {
         );
     }
     notes.extend(summary.left_out.iter().cloned());
-    notes.extend(summary.unchecked.iter().map(|phrase| format!("Not checked: {phrase}.")));
     notes
 }

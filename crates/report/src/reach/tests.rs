@@ -28,6 +28,7 @@ fn summary() -> ReachSummary {
             stops: true,
             depth_m,
             already: false,
+            locked_up_m: None,
             margin_at_from: Some(1.0),
             margin_at_to: None,
             at_md_m: None,

@@ -64,13 +64,22 @@ pub enum StudyPart {
         /// The extensions of those files.
         endings: &'static [&'static str],
     },
+    /// Words.
+    Text {
+        /// Its title.
+        title: String,
+        /// Paragraphs, separated by an empty line.
+        text: String,
+    },
 }
 
 impl StudyPart {
     /// Its title.
     fn title(&self) -> &str {
         match self {
-            Self::Figure { title, .. } | Self::Table { title, .. } => title,
+            Self::Figure { title, .. } | Self::Table { title, .. } | Self::Text { title, .. } => {
+                title
+            }
         }
     }
 }
@@ -186,7 +195,7 @@ fn paragraphs(text: &str) -> String {
     blocks.map(|block| format!("<p>{}</p>\n", escaped(block))).collect()
 }
 
-/// A figure or a table, `index` of the page; its name begins with `prefix`.
+/// A figure, a table or words, `index` of the page; its name begins with `prefix`.
 fn part(index: usize, prefix: &str, part: &StudyPart) -> String {
     let (title, caption, body, files, endings) = match part {
         StudyPart::Figure { title, caption, figure, files, painted } => {
@@ -212,6 +221,13 @@ fn part(index: usize, prefix: &str, part: &StudyPart) -> String {
             files,
             endings.to_vec(),
         ),
+        StudyPart::Text { title, text } => {
+            return format!(
+                "<section id=\"{prefix}part-{index}\">\n<h2>{}</h2>\n{}</section>\n",
+                escaped(title),
+                paragraphs(text)
+            );
+        }
     };
     let links: Vec<String> = endings
         .into_iter()

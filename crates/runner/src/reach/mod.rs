@@ -6,7 +6,7 @@ mod tables;
 
 pub use crate::uncertain::{notes as uncertain_notes, scatter};
 pub(crate) use operations::operation;
-pub use wholestring_report::{reach_answers as answers, reach_notes as notes};
+pub use wholestring_report::{end_of_limit, reach_answers as answers, reach_notes as notes};
 
 use std::{collections::BTreeSet, num::NonZeroUsize, path::PathBuf, sync::Mutex, time::Duration};
 
@@ -355,6 +355,7 @@ fn limit(operation: OperationKind, curve: &Curve) -> ReachLimit {
         stops: curve.stops,
         depth_m: curve.end.depth_m(),
         already: matches!(curve.end, End::Already(_)),
+        locked_up_m: curve.end.locked_up_m(),
         margin_at_from: finite(curve.margins.first().map(|margin| margin.margin)),
         margin_at_to: finite(curve.margins.last().map(|margin| margin.margin)),
         at_md_m: curve.there.at_md_m,
