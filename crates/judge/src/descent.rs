@@ -23,6 +23,10 @@ use crate::{Check, CheckKind, LimitSettings, Severity, Verdict, root::root, wind
 /// it.
 const NONE: f64 = 1e-3;
 
+/// Part of the string's buoyed weight that the weight at the bit may miss by the rounding of its
+/// stretches.
+const ROUNDING: f64 = 1e-6;
+
 /// A string that goes down by less than this part of the block's travel does not follow it.
 const FOLLOWS: f64 = 0.1;
 
@@ -87,11 +91,12 @@ impl Descent {
             Pushed::LocksUp(above_bit_m) => Some(operation.bit_depth_m - above_bit_m),
             Pushed::Through(_) => None,
         };
-        let none_N = NONE * model.buoyed_weight_N();
-        let locks_up = arrives_N < requested_N - none_N;
+        let buoyed_N = model.buoyed_weight_N();
+        let (none_N, rounding_N) = (NONE * buoyed_N, ROUNDING * buoyed_N);
+        let locks_up = arrives_N < requested_N - rounding_N;
         // The hook load is that of the solver, which may leave out the drag of the helix.
         let arrives_by = |at_top_N: f64| {
-            weight_at_bit_N(&segments, at_top_N, model.buckling) >= requested_N - none_N
+            weight_at_bit_N(&segments, at_top_N, model.buckling) >= requested_N - rounding_N
         };
         let is_unaided = hook_load_N > none_N && !locks_up && arrives_by(0.0);
         let by_its_weight = hook_load_N > least_hook_load_N(model) && !locks_up;

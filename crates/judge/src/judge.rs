@@ -7,7 +7,7 @@ use wholestring::{
     outcome::{ModelKind, Profile, Solution},
     statics::{
         assembly::{Assembly, AssemblyNode},
-        soft::{SoftLoads, SoftProfile},
+        soft::{SoftError, SoftLoads, SoftProfile},
         stiff::StiffProfile,
     },
 };
@@ -125,10 +125,34 @@ impl Judge {
     }
 
     /// The checks of a bottom-hole assembly in static equilibrium: the largest von Mises stress of
-    /// each component, and whether the equilibrium is stable.
-    pub fn assembly(&self, model: &Model, operation: &Operation, assembly: &Assembly) -> Checks {
+    /// each component, whether the equilibrium is stable, and by the soft string whether the string
+    /// above carries the assembly down.
+    pub fn assembly(
+        &self,
+        model: &Model,
+        operation: &Operation,
+        assembly: &Assembly,
+        soft: &Result<SoftProfile, SoftError>,
+    ) -> Checks {
         let kind = CheckKind::VonMises;
         let mut checks = Checks::default();
+        match soft {
+            Ok(profile) => {
+                let solution = Solution::from(profile);
+                let surface_N = [solution.scalars.hook_load_N, solution.scalars.axial_friction_N];
+                let descent = self.descent(model, operation, &solution);
+                let words = self.words(model, &solution);
+                self.add_descent(
+                    model,
+                    operation,
+                    surface_N,
+                    descent.as_ref(),
+                    &words,
+                    &mut checks,
+                );
+            }
+            Err(error) => checks.checks.push(self.no_answer(&NoAnswer::Soft(error.clone()))),
+        }
         for (index, component) in model.string.components().iter().enumerate() {
             let nodes = assembly.nodes.iter().filter(|node| node.component == index);
             let stress_Pa = |node: &&AssemblyNode| node.von_mises_stress_Pa;

@@ -129,14 +129,19 @@ pub(crate) fn unsolved(why: &NoAnswer, check: &Check) -> String {
         ),
         NoAnswer::Stiff(StiffError::NotConverged { residual_N, iterations, .. }) => format!(
             "Did not converge: forces are out of balance by {}{place} after {iterations} iterations. \
-             The soft string or the dynamics may have an answer, or the stiff string with another \
-             `mesh.element_length`",
+             The soft string or the dynamics may have an answer. With another \
+             `mesh.element_length` the stiff string may have one too, but near lock-up it depends \
+             on the mesh: compare several",
             text::force(*residual_N)
         ),
-        _ if check.kind == CheckKind::LockUp => format!(
-            "Locks up{place}: the wall force of the buckled string grows faster than any push, and \
-             none of it reaches the bit"
-        ),
+        _ if check.kind == CheckKind::LockUp => {
+            let above = check.md_m.map(|md_m| format!(" from above {}", text::depth(md_m)));
+            format!(
+                "Locks up: the friction of the buckled string absorbs any push{}, and none of it \
+                 reaches the bit",
+                above.unwrap_or_default()
+            )
+        }
         NoAnswer::Soft(error) => format!("Not solved: {error}"),
         NoAnswer::Stiff(error) => format!("Not solved: {error}"),
     }

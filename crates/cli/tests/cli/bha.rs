@@ -183,3 +183,28 @@ fn what_was_not_checked_is_listed() {
     ]);
     assert!(!transcript(&output).contains("not checked: von Mises"), "{}", transcript(&output));
 }
+
+/// An assembly whose string above does not slide down has the verdict that `run` has: the
+/// equilibrium of its lower end says nothing of that.
+#[test]
+fn an_assembly_that_its_string_does_not_carry_down() {
+    let desk = Desk::new();
+    let case = case().replace("bent-motor", "lateral-that-cannot-be-drilled");
+    let options = ["--set", "model=soft", "--set", "operation.kind=slide", "--strict"];
+    let found = desk.run(&[&["bha", &case, "-o", "bha"][..], &options].concat());
+    assert_eq!(found.status.code(), Some(4), "{}", transcript(&found));
+    let run = desk.run(&[&["run", &case, "-o", "run"][..], &options].concat());
+    assert_eq!(run.status.code(), Some(4), "{}", transcript(&run));
+    let checks = |folder: &str| -> BTreeSet<String> {
+        let text = fs::read(desk.path(folder).join("summary.json")).expect("a summary");
+        let summary: serde_json::Value = serde_json::from_slice(&text).expect("JSON");
+        let state = summary["operations"].get(0).unwrap_or(&summary);
+        let checks = state["checks"].as_array().expect("checks");
+        let descent = checks.iter().filter(|check| {
+            ["lock_up", "goes_down"].contains(&check["kind"].as_str().unwrap_or_default())
+        });
+        descent.map(ToString::to_string).collect()
+    };
+    assert_eq!(checks("bha").len(), 2);
+    assert_eq!(checks("bha"), checks("run"));
+}

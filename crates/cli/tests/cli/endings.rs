@@ -46,9 +46,9 @@ fn without_an_equilibrium() {
     assert_eq!(output.status.code(), Some(3));
     let message = String::from_utf8(output.stderr).unwrap();
     assert!(message.contains("error: slide: the stiff string has no answer"), "{message}");
-    assert!(message.contains("has no answer: Locks up at"), "{message}");
+    assert!(message.contains("has no answer: Locks up:"), "{message}");
     let table = String::from_utf8(output.stdout).unwrap();
-    assert!(table.contains("stiff*") && table.contains("Locks up at"), "{table}");
+    assert!(table.contains("stiff*") && table.contains("Locks up:"), "{table}");
 
     let summary = desk.summary("results");
     let solved = |summary: &OperationSummary| summary.status == Status::Complete;

@@ -191,7 +191,7 @@ fn no_answer_is_said_as_elsewhere() {
         assert_eq!(own.status.code(), Some(3), "{}", transcript(&own));
         let own = String::from_utf8(own.stderr).unwrap();
         let (_, own) = own.split_once("error: slide: the string has no answer: ").expect(&own);
-        assert!(own.starts_with("Locks up at") && own.contains(symbol), "{own}");
+        assert!(own.starts_with("Locks up:") && own.contains(symbol), "{own}");
         let folder = format!("{units}-run");
         let run = ["run", "slant.toml", "-o", &folder, "--set", "model=stiff"];
         let run = desk.run(&[&run[..], &locked].concat());

@@ -100,9 +100,9 @@ impl Words<'_> {
                 text::force(value)
             ),
             CheckKind::UnstableEquilibrium if check.severity == Severity::Note => format!(
-                "The string bows between its contacts, as in every vertical hole in which collars \
-                 press on the bit, and while it turns it rolls up the wall{place}. The dynamics \
-                 compute its whirl"
+                "The string bows between its contacts, as every string does that is compressed in \
+                 a vertical hole; where it rotates, it rolls up the wall{place}. The dynamics compute \
+                 that whirl"
             ),
             CheckKind::UnstableEquilibrium if check.md_m.is_some() => format!(
                 "The equilibrium found is not stable, and no stable one was found of the turning \

@@ -17,7 +17,10 @@ use std::{
 use serde_json::json;
 use wholestring::{
     operation::{Operation, OperationKind},
-    statics::assembly::{self, Assembly, AssemblyNode, AssemblySettings, Contact, Extent, zeros},
+    statics::{
+        assembly::{self, Assembly, AssemblyNode, AssemblySettings, Contact, Extent, zeros},
+        soft,
+    },
 };
 use wholestring_case::Case;
 use wholestring_judge::{Checks, Judge, NoAnswer};
@@ -228,7 +231,8 @@ fn summary(
     let high = |varied: BhaVaried| {
         zeros(&force(varied).iter().map(|(value, force)| (*value, force[0])).collect::<Vec<_>>())
     };
-    let Checks { checks, unchecked } = judge.assembly(&case.model, operation, found);
+    let soft = soft::solve(&case.model, operation, &case.soft);
+    let Checks { checks, unchecked } = judge.assembly(&case.model, operation, found, &soft);
     BhaSummary {
         checks,
         unchecked,

@@ -7,13 +7,18 @@ use wholestring_results::{PlanCheck, PlanOperation, PlanSummary};
 use wholestring_units::UnitSet;
 
 /// For each operation, the limit with the least reserve among those that damage a component or stop
-/// the operation; buckling and a requested overpull are excluded. In the order of the operations.
+/// the operation, among equals the one at the deeper bit; buckling and a requested overpull are
+/// excluded. In the order of the operations.
 pub(super) fn governing(checks: &[PlanCheck]) -> Vec<PlanCheck> {
     let mut found: Vec<&PlanCheck> = Vec::new();
     for row in checks.iter().filter(|row| row.check.kind.stops() && row.check.factor.is_some()) {
         match found.iter_mut().find(|other| other.operation == row.operation) {
-            Some(other) if row.check.reserve() < other.check.reserve() => *other = row,
-            Some(_) => {}
+            Some(other) => {
+                let reserve = row.check.reserve().total_cmp(&other.check.reserve());
+                if reserve.then(other.bit_depth_m.total_cmp(&row.bit_depth_m)).is_lt() {
+                    *other = row;
+                }
+            }
             None => found.push(row),
         }
     }
@@ -64,4 +69,33 @@ pub(super) fn deserialize<'de, D: Deserializer<'de>>(
         check,
     };
     Ok(rows.into_iter().map(check).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use wholestring::operation::OperationKind;
+    use wholestring::statics::soft::SoftError;
+    use wholestring_judge::{Judge, NoAnswer};
+
+    use super::*;
+
+    /// Of strings that lock up, whose factors are all zero, the one at the deeper bit governs,
+    /// whatever the order of the rows.
+    #[test]
+    fn of_equal_limits_the_one_at_the_deeper_bit_governs() {
+        let row = |bit_depth_m: f64| PlanCheck {
+            model: ModelKind::Stiff,
+            friction: FrictionLevel::High,
+            operation: PlanOperation::Kind(OperationKind::Slide),
+            bit_depth_m,
+            check: Judge::default()
+                .unsolved(&NoAnswer::Soft(SoftError::LocksUp { md_m: 10.0 }))
+                .checks
+                .remove(0),
+        };
+        for rows in [[row(900.0), row(2400.0)], [row(2400.0), row(900.0)]] {
+            let found: Vec<f64> = governing(&rows).iter().map(|row| row.bit_depth_m).collect();
+            assert_eq!(found, [2400.0]);
+        }
+    }
 }
