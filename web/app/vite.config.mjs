@@ -1,7 +1,6 @@
 import { svelte } from "@sveltejs/vite-plugin-svelte";
 import { defineConfig } from "vite";
 import { fileURLToPath } from "node:url";
-import { palette } from "./palette.plugin.mjs";
 
 // The address of a served app, for `npm run dev`: the one printed at its start.
 const served = process.env.WHOLESTRING_APP ?? "http://127.0.0.1:8480";
@@ -27,7 +26,7 @@ export default defineConfig(({ mode }) => ({
   define: { __ALONE__: String(mode === "alone") },
   resolve: { alias: { "#asked": asked(mode) } },
   worker: { format: "es", rollupOptions: { output: { entryFileNames: "[name].js" } } },
-  plugins: [palette(), packagesOfComponents, svelte()],
+  plugins: [packagesOfComponents, svelte()],
   build: {
     outDir: mode === "alone" ? "../../target/playground" : "../../crates/app/assets",
     emptyOutDir: true,

@@ -1,5 +1,5 @@
 import { mount } from "svelte";
-import "virtual:palette.css";
+import "../../components/palette.css";
 import "./styles/base.css";
 import "../../components/drawings.css";
 import "../../components/charts.css";

@@ -91,14 +91,27 @@ fn properties(value: fn(&Colour) -> u32) -> String {
     })
 }
 
-/// The colours of a page as CSS: light, and dark where the page is set so; figures in the page use
-/// them.
-pub(crate) fn css() -> String {
-    let mut css = format!(
-        ":root{{{}color-scheme:light}}\n:root[data-theme=dark]{{{}color-scheme:dark}}\n",
+/// Custom properties of the operations, such as `--operation-drill`: each has a colour of curves.
+fn operations() -> String {
+    OperationKind::ALL.iter().fold(String::new(), |mut css, &kind| {
+        let _ = write!(css, "--operation-{}:var(--line-{});", kind.name(), operation_colour(kind));
+        css
+    })
+}
+
+/// The colours of pages and app as custom properties: light, and dark where the page is set so.
+fn root_css() -> String {
+    format!(
+        ":root{{{}{}color-scheme:light}}\n:root[data-theme=dark]{{{}color-scheme:dark}}\n",
         properties(|colour| colour.light),
+        operations(),
         properties(|colour| colour.dark),
-    );
+    )
+}
+
+/// The colours of a page as CSS; figures in the page use them.
+pub(crate) fn css() -> String {
+    let mut css = root_css();
     for Colour { name, .. } in PALETTE {
         let _ = writeln!(
             css,
@@ -141,6 +154,8 @@ mod vision;
 
 #[cfg(test)]
 mod tests {
+    use std::{env, fs, path::Path};
+
     use super::{
         vision::{contrast, min_difference},
         *,
@@ -157,6 +172,22 @@ mod tests {
     /// Light and dark, each as a function to a colour.
     const STYLES: [(&str, Palette); 2] =
         [("light", |colour| colour.light), ("dark", |colour| colour.dark)];
+
+    /// The colours that the app takes from a file. With `WHOLESTRING_UPDATE_DOCS=1` this writes it.
+    #[test]
+    fn the_app_has_the_colours_of_the_pages() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../web/components/palette.css");
+        let expected = format!(
+            "/* Written by a test of crates/report: the_app_has_the_colours. */\n{}",
+            root_css()
+        );
+        if env::var_os("WHOLESTRING_UPDATE_DOCS").is_some() {
+            fs::write(path, expected).expect("written colours");
+            return;
+        }
+        let found = fs::read_to_string(path).unwrap_or_default().replace("\r\n", "\n");
+        assert_eq!(found, expected, "WHOLESTRING_UPDATE_DOCS=1 writes the colours of now");
+    }
 
     fn lines() -> Vec<&'static Colour> {
         (0..LINES).map(|place| find(&format!("line-{place}"))).collect()

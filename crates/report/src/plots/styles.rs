@@ -8,6 +8,7 @@ use wholestring::{
 use super::run::Run;
 use crate::{
     Solved,
+    draw::palette::operation_colour,
     figure::{Ink, Key, Sample, Stroke},
 };
 
@@ -52,18 +53,19 @@ impl<'a> CurveStyles<'a> {
     }
 
     pub(super) fn of(&self, run: usize, solved: &Solved) -> (Ink, Stroke) {
-        let index = if self.runs.len() > 1 {
-            run
-        } else {
-            let mut operations = self.operations.iter();
-            operations.position(|name| *name == solved.operation).unwrap_or(0)
-        };
         let place = self.place(solved);
-        match (self.models.len() > 1, self.alone()) {
-            (true, true) => (Ink::Line(place), Stroke::of(place)),
-            (true, false) => (Ink::Line(index), Stroke::of(place)),
-            (false, _) => (Ink::Line(index), Stroke::of(index)),
+        if self.models.len() > 1 && self.alone() {
+            return (Ink::Line(place), Stroke::of(place));
         }
+        let (colour, index) = match self.runs.len() > 1 {
+            true => (run, run),
+            false => {
+                let mut operations = self.operations.iter();
+                let index = operations.position(|name| *name == solved.operation).unwrap_or(0);
+                (operation_colour(solved.operation), index)
+            }
+        };
+        (Ink::Line(colour), Stroke::of(if self.models.len() > 1 { place } else { index }))
     }
 
     /// The curve whose sides are filled: that of the only operation, of the better model.
@@ -92,17 +94,17 @@ impl<'a> CurveStyles<'a> {
                 .map(|(place, model)| line(model.curve_name, Ink::Line(place), Stroke::of(place)))
                 .collect();
         }
-        let names: Vec<String> = if self.runs.len() > 1 {
-            self.runs.iter().map(|run| run.name.to_owned()).collect()
+        let names: Vec<(&str, usize)> = if self.runs.len() > 1 {
+            self.runs.iter().enumerate().map(|(place, run)| (run.name, place)).collect()
         } else {
-            self.operations.iter().map(|name| name.words().to_owned()).collect()
+            self.operations.iter().map(|&kind| (kind.words(), operation_colour(kind))).collect()
         };
         let mut keys: Vec<Key> = names
-            .iter()
+            .into_iter()
             .enumerate()
-            .map(|(index, name)| {
+            .map(|(index, (name, colour))| {
                 let stroke = if several { Stroke::Solid } else { Stroke::of(index) };
-                line(name, Ink::Line(index), stroke)
+                line(name, Ink::Line(colour), stroke)
             })
             .collect();
         keys.extend(
@@ -111,9 +113,17 @@ impl<'a> CurveStyles<'a> {
         keys
     }
 
+    /// Colour of the curve of the only operation, of the most detailed model.
+    fn first_ink(&self) -> Ink {
+        match self.operations {
+            [operation] if self.models.len() < 2 => Ink::Line(operation_colour(*operation)),
+            _ => Ink::Line(0),
+        }
+    }
+
     /// Key of a dotted curve: the least value from one tool joint to the next.
     pub(super) fn between_key(&self) -> Key {
-        let ink = if self.alone() { Ink::Line(0) } else { Ink::Note };
+        let ink = if self.alone() { self.first_ink() } else { Ink::Note };
         Key { name: "between the joints".into(), sample: Sample::Line(ink, Stroke::Dotted) }
     }
 
@@ -121,7 +131,7 @@ impl<'a> CurveStyles<'a> {
     pub(super) fn band_key(&self) -> Key {
         Key {
             name: "5–95 % of the time".into(),
-            sample: Sample::Band(if self.alone() { Ink::Line(0) } else { Ink::Note }),
+            sample: Sample::Band(if self.alone() { self.first_ink() } else { Ink::Note }),
         }
     }
 }

@@ -8,6 +8,7 @@ use super::{
 };
 use crate::{
     Plot, Severity,
+    draw::palette::operation_colour,
     figure::{Axis, Direction, Figure, Ink, Layout, Panel, Range, Scale, Shape, Stroke},
     plots::{DisplayUnits, models, subtitle},
 };
@@ -91,8 +92,11 @@ impl<'a> Drawing<'a> {
     /// Colour by the other varied keys, and by the operation where nothing else differs; shape by
     /// the operation. Strokes distinguish the models where there are two, else the operations.
     pub(super) fn style(&self, family: usize, operation: usize) -> (Ink, Shape) {
-        let ink = if self.families.len() > 1 { family } else { operation };
-        (Ink::Line(ink), Shape::of(operation))
+        let colour = match self.operations.get(operation) {
+            Some(kind) if self.families.len() < 2 => operation_colour(*kind),
+            _ => family,
+        };
+        (Ink::Line(colour), Shape::of(operation))
     }
 
     pub(super) fn stroke(&self, family: usize, model: usize, operation: usize) -> Stroke {

@@ -1,7 +1,7 @@
 // Which model and operation a curve belongs to, and how it looks.
 
 import { dashOf, shapeOf } from "../../../../web/components/marker.ts";
-import { line } from "../../../../web/components/palette.ts";
+import { colour, line } from "../../../../web/components/palette.ts";
 import { state } from "./state.js";
 
 /** `trip_out` as people write it. */
@@ -23,7 +23,7 @@ export function look(report, solved) {
   const several = report.models.length > 1;
   const place = all.length === 1 && several ? model : all.indexOf(solved.operation);
   return {
-    colour: line(place),
+    colour: all.length === 1 && several ? line(model) : colour(`operation-${solved.operation}`),
     dash: dashOf(several ? model : place),
     hollow: !report.models[model].in_time,
     shape: all.length > 1 ? shapeOf(place) : null,

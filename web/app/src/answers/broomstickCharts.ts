@@ -6,14 +6,6 @@ import type { Broomstick, BroomstickCurve, Numbers } from "../api/answers";
 /** Operations with a curve of hook load, and those with one of torque, in words. */
 const LOADS: Readonly<Record<string, string>> = { trip_in: "trip in", rotate_off_bottom: "rotate off bottom", trip_out: "trip out" };
 const TORQUES: Readonly<Record<string, string>> = { rotate_off_bottom: "rotate off bottom", drill: "drill", ream: "ream", back_ream: "back ream" };
-const COLOURS: Readonly<Record<string, string>> = {
-  trip_in: "var(--line-1)",
-  rotate_off_bottom: "var(--line-2)",
-  trip_out: "var(--line-0)",
-  drill: "var(--line-3)",
-  ream: "var(--line-5)",
-  back_ream: "var(--line-6)",
-};
 /** Levels from the lowest to the highest friction. */
 const DASHES: Readonly<Record<string, readonly number[] | null>> = { low: [1.5, 3], expected: null, high: [6, 3] };
 
@@ -42,7 +34,7 @@ function linesOf(found: Broomstick, names: Readonly<Record<string, string>>, col
         end,
         depths: numbers(curve.bit_depth_m),
         values: numbers(curve[column]),
-        colour: COLOURS[curve.operation] ?? "var(--text)",
+        colour: `var(--operation-${curve.operation}, var(--text))`,
         dash: DASHES[curve.friction] ?? null,
         ghost,
       },
