@@ -39,9 +39,7 @@ impl StudyArgs {
     pub(crate) fn job(&self) -> Job {
         let work = Work::Study(StudyOptions {
             study: self.study.clone(),
-            keep: self.kept.keep(),
-            shard: self.batch.shard.clone(),
-            csv: self.batch.csv,
+            cases: self.kept.of_cases(&self.batch),
             png: self.png,
         });
         self.batch.applied_to(Job { set: self.overrides.clone(), ..Job::new(None, work) })

@@ -33,9 +33,7 @@ impl SweepArgs {
         let work = Work::Sweep(SweepOptions {
             vary: self.vary.clone(),
             together: false,
-            keep: self.kept.keep(),
-            shard: self.batch.shard.clone(),
-            csv: self.batch.csv,
+            cases: self.kept.of_cases(&self.batch),
         });
         self.batch.applied_to(self.case.job(work))
     }

@@ -1,7 +1,9 @@
 //! Results to keep of each of many cases.
 
 use clap::{Args, ValueEnum};
-use wholestring_runner::Keep;
+use wholestring_runner::{Keep, job::CasesOptions};
+
+use super::batch::BatchArgs;
 
 /// Results to keep of each case.
 #[derive(Debug, Args)]
@@ -24,12 +26,13 @@ enum KeepArg {
 }
 
 impl KeptArgs {
-    /// The results to keep, if the option is given.
-    pub(crate) fn keep(&self) -> Option<Keep> {
-        self.keep.map(|keep| match keep {
+    /// The options of the cases of a batch.
+    pub(crate) fn of_cases(&self, batch: &BatchArgs) -> CasesOptions {
+        let keep = self.keep.map(|keep| match keep {
             KeepArg::Summary => Keep::Summary,
             KeepArg::Tables => Keep::Tables,
             KeepArg::All => Keep::All,
-        })
+        });
+        CasesOptions { keep, shard: batch.shard.clone(), csv: batch.csv }
     }
 }

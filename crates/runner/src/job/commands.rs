@@ -11,7 +11,7 @@ use super::{
     input::{Input, Reader},
     options,
     outcome::JobOutcome,
-    work::{BhaOptions, CalibrateOptions, ReachOptions, StudyOptions, SweepOptions},
+    work::{BhaOptions, CalibrateOptions, CasesOptions, ReachOptions, StudyOptions, SweepOptions},
 };
 use crate::{
     batch::BatchOptions, bha as assembly, bit_test as bit, calibrate as calibration,
@@ -55,13 +55,13 @@ struct Share {
 }
 
 impl Share {
-    fn read(shard: Option<&String>, csv: bool, keep: Option<Keep>) -> Result<Self, Error> {
-        if csv && keep == Some(Keep::Summary) {
+    fn read(options: &CasesOptions) -> Result<Self, Error> {
+        if options.csv && options.keep == Some(Keep::Summary) {
             let reason =
                 "`csv` writes tables, and `keep = summary` keeps none: leave out one of them";
             return Err(Error::BadInput(reason.to_owned()));
         }
-        Ok(Self { shard: options::shard(shard)?, csv })
+        Ok(Self { shard: options::shard(options.shard.as_ref())?, csv: options.csv })
     }
 
     fn batch(self, output: Output, settings: Settings) -> BatchOptions {
@@ -248,13 +248,13 @@ pub(super) fn sweep(
     options: &SweepOptions,
     settings: Settings,
 ) -> Result<Ready, Error> {
-    let share = Share::read(options.shard.as_ref(), options.csv, options.keep)?;
+    let share = Share::read(&options.cases)?;
     let variations = Variation::read_all(&options.vary)?;
     if variations.is_empty() {
         let reason = "nothing is varied: give a key with its values";
         return Err(Error::BadInput(reason.to_owned()));
     }
-    let (together, keep) = (options.together, options.keep);
+    let (together, keep) = (options.together, options.cases.keep);
     let CaseInput { template, mut changes, .. } = reader.files.case(case)?;
     changes.extend(reader.set.iter().cloned());
     // The case itself may be valid with the varied values only.
@@ -279,8 +279,8 @@ pub(super) fn study(
     options: &StudyOptions,
     settings: Settings,
 ) -> Result<Ready, Error> {
-    let share = Share::read(options.shard.as_ref(), options.csv, options.keep)?;
-    let (keep, png) = (options.keep, options.png);
+    let share = Share::read(&options.cases)?;
+    let (keep, png) = (options.cases.keep, options.png);
     let study = reader.files.study(&options.study)?;
     if !study.warnings.is_empty() {
         reader.warnings.push(study.warnings.clone());
@@ -314,7 +314,7 @@ pub(super) fn bit_test(
     csv: bool,
     settings: Settings,
 ) -> Result<Ready, Error> {
-    let share = Share::read(shard, csv, None)?;
+    let share = Share { shard: options::shard(shard)?, csv };
     let Input { case, .. } = reader.case(case, None)?;
     let units = settings.units;
     Ok(Ready::of_case(

@@ -291,6 +291,16 @@ export interface CaseVerdict {
   words: string;
 }
 
+/** Options of work on many cases: of `sweep` and `study`. */
+export interface CasesOptions {
+  /** Whether the tables that are kept are written as CSV too. */
+  csv?: boolean;
+  /** Results to keep of each case: `summary`, `tables` or `all`. */
+  keep?: string | null;
+  /** Share of the cases to solve, such as `1/4`. */
+  shard?: string | null;
+}
+
 /** A casing. */
 export interface CasingEntry {
   drift_m: number;
@@ -1402,18 +1412,12 @@ export interface StickSlipLamp {
 }
 
 /** Options of `study`. */
-export interface StudyOptions {
-  /** Whether the tables that are kept are written as CSV too. */
-  csv?: boolean;
-  /** Results to keep of each case: `summary`, `tables` or `all`. */
-  keep?: string | null;
+export type StudyOptions = CasesOptions & {
   /** Whether PNG images are written too. */
   png?: boolean;
-  /** Share of the cases to solve, such as `1/4`. */
-  shard?: string | null;
   /** The study file. */
   study: string;
-}
+};
 
 /** A survey. */
 export interface Survey {
@@ -1425,18 +1429,12 @@ export interface Survey {
 }
 
 /** Options of `sweep`. */
-export interface SweepOptions {
-  /** Whether the tables that are kept are written as CSV too. */
-  csv?: boolean;
-  /** Results to keep of each case: `summary`, `tables` or `all`. */
-  keep?: string | null;
-  /** Share of the cases to solve, such as `1/4`. */
-  shard?: string | null;
+export type SweepOptions = CasesOptions & {
   /** Whether the keys are varied together: the n-th case has the n-th value of every key. */
   together?: boolean;
   /** Values by key: `friction=0.1,0.2,0.3`, `bit_depth=300m..4305m/300m`. */
   vary: string[];
-}
+};
 
 /** A text that may be the contents of a case file. */
 export interface Text {
