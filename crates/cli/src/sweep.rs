@@ -1,7 +1,7 @@
 //! `wholestring sweep`: solves a case for all combinations of some values.
 
 use clap::Args;
-use wholestring_runner::job::{Job, SweepOptions, Work};
+use wholestring_runner::job::{Job, SweepOptions, Varied, Work};
 
 use crate::shared_args::{BatchArgs, CaseArgs, KeptArgs};
 
@@ -31,7 +31,7 @@ impl SweepArgs {
     /// The job of these arguments.
     pub(crate) fn job(&self) -> Job {
         let work = Work::Sweep(SweepOptions {
-            vary: self.vary.clone(),
+            vary: self.vary.iter().cloned().map(Varied::Text).collect(),
             together: false,
             cases: self.kept.of_cases(&self.batch),
         });

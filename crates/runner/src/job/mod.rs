@@ -19,5 +19,6 @@ pub use outcome::JobOutcome;
 pub use prepared::PreparedJob;
 pub use request::Job;
 pub use work::{
-    BhaOptions, CalibrateOptions, CasesOptions, ReachOptions, StudyOptions, SweepOptions, Work,
+    BhaOptions, CalibrateOptions, CasesOptions, ReachOptions, StudyOptions, SweepOptions, Varied,
+    Work,
 };

@@ -194,14 +194,31 @@ pub struct CasesOptions {
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SweepOptions {
-    /// Values by key: `friction=0.1,0.2,0.3`, `bit_depth=300m..4305m/300m`.
-    pub vary: Vec<String>,
+    /// The varied keys with their values.
+    pub vary: Vec<Varied>,
     /// Whether the keys are varied together: the n-th case has the n-th value of every key.
     #[serde(default)]
     pub together: bool,
     /// Options of its cases.
     #[serde(flatten)]
     pub cases: CasesOptions,
+}
+
+/// A varied key with its values.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[serde(untagged, deny_unknown_fields)]
+#[serde(expecting = "`vary`: expected a text such as friction=0.1,0.2, or a key with its values")]
+pub enum Varied {
+    /// As by `--vary`: `friction=0.1,0.2,0.3`, `bit_depth=300m..4305m/300m`.
+    Text(String),
+    /// A list, such as samples, which may be equal.
+    List {
+        /// Dotted or short key.
+        key: String,
+        /// Values as by `--set`.
+        values: Vec<String>,
+    },
 }
 
 /// Options of `study`.

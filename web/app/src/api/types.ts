@@ -1432,8 +1432,8 @@ export interface Survey {
 export type SweepOptions = CasesOptions & {
   /** Whether the keys are varied together: the n-th case has the n-th value of every key. */
   together?: boolean;
-  /** Values by key: `friction=0.1,0.2,0.3`, `bit_depth=300m..4305m/300m`. */
-  vary: string[];
+  /** The varied keys with their values. */
+  vary: Varied[];
 };
 
 /** A text that may be the contents of a case file. */
@@ -1530,6 +1530,14 @@ export type UnitSet = "si" | "metric" | "field";
 
 /** Description of the units of a dimension in each set. */
 export type UnitsOfSets = [LiveUnit, LiveUnit, LiveUnit];
+
+/** A varied key with its values. */
+export type Varied = string | {
+  /** Dotted or short key. */
+  key: string;
+  /** Values as by `--set`. */
+  values: string[];
+};
 
 /** Path, hole and string. */
 export type WellView = PathView & {
