@@ -368,6 +368,36 @@ export interface Channel {
   name: string;
 }
 
+/** One comparison of a result with its limit, in SI units, and its verdict. */
+export interface Check {
+  /** The component; none for the rig and for the whole string. */
+  component: string | null;
+  /** Capacity over load; none for a kind that is not a limit. */
+  factor: number | null;
+  /** Quantity that is compared, or state that is reported: `lock_up`, `top_drive`, `von_mises`. */
+  kind: CheckKind;
+  /** Number that the value is compared with, for a limit the capacity; none where there is no such number. */
+  limit: number | null;
+  /** Measured depth of the place, or of the upper end of its interval, m; none without a place. */
+  md_m: number | null;
+  /** The sentence with its quantities, from which it is rendered in other units; empty in files of earlier versions and where no quantity is in it. */
+  parts: unknown[];
+  /** The required factor; none for a kind that is not a limit. */
+  required: number | null;
+  /** The check as a sentence in the user's units. */
+  sentence: string;
+  /** Its severity: `ok`, `note`, `warning` or `error`. */
+  severity: Severity;
+  /** Measured depth of the lower end of its interval, m; none for a point and without a place. */
+  to_md_m: number | null;
+  /** SI unit of value and limit; empty for a ratio. */
+  unit: string;
+  /** The value, for a limit the load, in `unit`; none where it is not a number. */
+  value: number | null;
+  /** The verdict in words: `OK`, `marginal`, `below required factor`, `exceeded`; the severity where there is no limit. */
+  verdict: string;
+}
+
 /** Kind of a check, an identifier for programs. */
 export type CheckKind = "tension" | "torsion" | "tension_and_torsion" | "von_mises" | "burst" | "collapse" | "make_up" | "side_force" | "hoist" | "top_drive" | "top_drive_peak" | "breakaway" | "pump_pressure" | "sinusoidal_buckling" | "helical_buckling" | "lock_up" | "overpull" | "goes_down" | "weight_not_available" | "no_equilibrium" | "weight_on_bit_not_reached" | "weight_on_bit_exceeded" | "weight_on_bit_unsteady" | "bit_bounce" | "top_drive_at_limit" | "top_drive_stalled" | "stick_slip" | "backward_whirl" | "forward_whirl" | "wall_penetration" | "energy_residual" | "bit_table_left" | "node_unsettled" | "element_buckles" | "bending_waves_left_out" | "lateral_force_left_out" | "unstable_equilibrium" | "implausible_hydraulics" | "window_drifts" | "never_steady" | "hook_load_swings" | "reach" | "zero" | "negative" | "swapped" | "order_of_loads" | "no_readings" | "unit" | "below_block" | "block_not_in_readings" | "no_block" | "no_friction" | "outlier" | "outliers" | "not_told_apart" | "fragment" | "dynamics" | "interrupted" | "too_many_outliers" | "estimated_error" | "scatter" | "band" | "open_interval" | "block_weight" | "rounded_depth" | "point_failed" | "bit_does_not_drill" | "rock_kinetic_energy" | "calibration" | "bit_elsewhere";
 
@@ -1253,7 +1283,7 @@ export interface SetPoints {
   values: SetPoint[];
 }
 
-/** Severity of a check. */
+/** Severity of a check. Worse ones are greater. */
 export type Severity = "ok" | "note" | "warning" | "error";
 
 /** A display unit. */
@@ -1269,7 +1299,7 @@ export interface ShownUnit {
 /** An operation by a model, as in the `summary.json` of a run, which has more. */
 export type Solved = SolvedScalars & {
   /** The checks, the most severe first. */
-  checks: SolvedCheck[];
+  checks: Check[];
   /** Reason why there is no answer. */
   message?: string;
   /** The model. */
@@ -1279,36 +1309,6 @@ export type Solved = SolvedScalars & {
   /** Progress of the solution. */
   status: SolvedStatus;
 };
-
-/** A check of an operation: a load against its limit, or a state. */
-export interface SolvedCheck {
-  /** The component; null for the rig and the whole string. */
-  component: string | null;
-  /** Capacity over load; null where it is not a limit. */
-  factor: number | null;
-  /** Its kind. */
-  kind: CheckKind;
-  /** The number that the value is compared with, in `unit`. */
-  limit: number | null;
-  /** Measured depth of the place, or of the upper end of its interval, m; null without a place. */
-  md_m: number | null;
-  /** The sentence with its quantities, from which it is rendered in other units. */
-  parts: unknown[];
-  /** The required factor; null where it is not a limit. */
-  required: number | null;
-  /** The check as a sentence. */
-  sentence: string;
-  /** Its severity. */
-  severity: Severity;
-  /** Measured depth of the lower end of its interval, m; null for a point. */
-  to_md_m: number | null;
-  /** SI unit of value and limit; empty for a ratio. */
-  unit: string;
-  /** The value, for a limit the load, in `unit`. */
-  value: number | null;
-  /** The verdict in words. */
-  verdict: string;
-}
 
 /** Torque and drag; null where there is no number. */
 export interface SolvedScalars {
