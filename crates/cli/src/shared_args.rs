@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use wholestring_case::Override;
 use wholestring_runner::{
     Existing, Keep, Output,
-    job::{Job, Work},
+    job::{CasesOptions, Job, Work},
 };
 use wholestring_units::UnitSet;
 
@@ -138,13 +138,14 @@ enum KeepArg {
 }
 
 impl KeptArgs {
-    /// The results to keep, if the option is given.
-    pub(crate) fn keep(&self) -> Option<Keep> {
-        self.keep.map(|keep| match keep {
+    /// The options of the cases of a batch.
+    pub(crate) fn of_cases(&self, batch: &BatchArgs) -> CasesOptions {
+        let keep = self.keep.map(|keep| match keep {
             KeepArg::Summary => Keep::Summary,
             KeepArg::Tables => Keep::Tables,
             KeepArg::All => Keep::All,
-        })
+        });
+        CasesOptions { keep, shard: batch.shard.clone(), csv: batch.csv }
     }
 }
 

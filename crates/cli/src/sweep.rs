@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use wholestring_case::Override;
-use wholestring_runner::job::{Job, StudyOptions, SweepOptions, Work};
+use wholestring_runner::job::{Job, StudyOptions, SweepOptions, Varied, Work};
 
 use crate::shared_args::{BatchArgs, CaseArgs, KeptArgs};
 
@@ -34,11 +34,9 @@ impl SweepArgs {
     /// The job of these arguments.
     pub(crate) fn job(&self) -> Job {
         let work = Work::Sweep(SweepOptions {
-            vary: self.vary.clone(),
+            vary: self.vary.iter().cloned().map(Varied::Text).collect(),
             together: false,
-            keep: self.kept.keep(),
-            shard: self.batch.shard.clone(),
-            csv: self.batch.csv,
+            cases: self.kept.of_cases(&self.batch),
         });
         self.batch.applied_to(self.case.job(work))
     }
@@ -77,9 +75,7 @@ impl StudyArgs {
     pub(crate) fn job(&self) -> Job {
         let work = Work::Study(StudyOptions {
             study: self.study.clone(),
-            keep: self.kept.keep(),
-            shard: self.batch.shard.clone(),
-            csv: self.batch.csv,
+            cases: self.kept.of_cases(&self.batch),
             png: self.png,
         });
         self.batch.applied_to(Job { set: self.overrides.clone(), ..Job::new(None, work) })

@@ -10,6 +10,7 @@ use crate::{CheckKind, Wording, strength::SurfaceStress};
 
 /// Severity of a check. Worse ones are greater.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[serde(rename_all = "snake_case")]
 pub enum Severity {
     /// The limit is met.
@@ -96,36 +97,39 @@ const MARGINAL_TENSION: f64 = 0.9 / 0.8;
 
 /// One comparison of a result with its limit, in SI units, and its verdict.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct Check {
-    /// Quantity that is compared, or state that is reported.
+    /// Quantity that is compared, or state that is reported: `lock_up`, `top_drive`, `von_mises`.
     pub kind: CheckKind,
-    /// Its severity.
+    /// Its severity: `ok`, `note`, `warning` or `error`.
     pub severity: Severity,
-    /// The verdict in words.
+    /// The verdict in words: `OK`, `marginal`, `below required factor`, `exceeded`; the severity
+    /// where there is no limit.
+    #[cfg_attr(feature = "openapi", schema(value_type = String))]
     pub verdict: Verdict,
-    /// The component; `None` for the rig and for the whole string.
+    /// The component; none for the rig and for the whole string.
     pub component: Option<String>,
-    /// Measured depth of the place, or of the upper end of its interval, m; `None` without a place.
+    /// Measured depth of the place, or of the upper end of its interval, m; none without a place.
     pub md_m: Option<f64>,
-    /// Measured depth of the lower end of its interval, m; `None` for a point and without a place.
+    /// Measured depth of the lower end of its interval, m; none for a point and without a place.
     pub to_md_m: Option<f64>,
-    /// The value, for a limit the load, in [`Self::unit`]; `None` where it is not a number.
+    /// The value, for a limit the load, in `unit`; none where it is not a number.
     pub value: Option<f64>,
-    /// Number that the value is compared with, for a limit the capacity; `None` where there is no
+    /// Number that the value is compared with, for a limit the capacity; none where there is no
     /// such number.
     pub limit: Option<f64>,
-    /// Capacity over load; `None` for a kind that is not a limit.
+    /// Capacity over load; none for a kind that is not a limit.
     pub factor: Option<f64>,
-    /// The required factor; `None` for a kind that is not a limit.
+    /// The required factor; none for a kind that is not a limit.
     pub required: Option<f64>,
     /// SI unit of value and limit; empty for a ratio.
     pub unit: String,
     /// The check as a sentence in the user's units.
     pub sentence: String,
     /// The sentence with its quantities, from which it is rendered in other units; empty in files
-    /// of earlier versions and where no
-    /// quantity is in it.
+    /// of earlier versions and where no quantity is in it.
     #[serde(rename = "parts")]
+    #[cfg_attr(feature = "openapi", schema(value_type = Vec<Value>))]
     pub wording: Wording,
     /// The point of the body and its stresses, for a von Mises stress; not written.
     #[serde(skip)]

@@ -299,6 +299,19 @@ impl CheckKind {
     }
 }
 
+#[cfg(feature = "openapi")]
+impl utoipa::PartialSchema for CheckKind {
+    fn schema() -> utoipa::openapi::RefOr<utoipa::openapi::Schema> {
+        let names = utoipa::openapi::ObjectBuilder::new()
+            .schema_type(utoipa::openapi::Type::String)
+            .enum_values(Some(Self::ALL.iter().map(|kind| kind.name())));
+        names.description(Some("Kind of a check, an identifier for programs.")).into()
+    }
+}
+
+#[cfg(feature = "openapi")]
+impl utoipa::ToSchema for CheckKind {}
+
 impl serde::Serialize for CheckKind {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())

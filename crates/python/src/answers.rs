@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use pyo3::prelude::*;
 use wholestring::outcome::SCALARS;
 use wholestring_results::Summary;
-use wholestring_runner::{Output, copy_results, run, sweep::operations_table};
+use wholestring_runner::{Existing, Output, copy_results, run, sweep::operations_table};
 
-use crate::{attended::attended, error, existing::existing_of, folder::Folder, table::Table};
+use crate::{attended::attended, error, folder::Folder, table::Table};
 
 /// A summary and tables.
 #[pyclass(frozen, module = "wholestring._core")]
@@ -148,8 +148,8 @@ impl Answers {
         csv: bool,
         listener: &Bound<'_, PyAny>,
     ) -> PyResult<PathBuf> {
-        let word = if overwrite { "overwrite" } else { "protect" };
-        let output = Output { folder, existing: existing_of(word), ..Output::default() };
+        let existing = if overwrite { Existing::Overwrite } else { Existing::Protect };
+        let output = Output { folder, existing, ..Output::default() };
         let saved = attended(py, listener, |observer, _| match &self.0 {
             Place::Memory(answers) => answers.save(&output, csv, observer),
             Place::Folder(folder) => {

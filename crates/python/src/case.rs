@@ -40,16 +40,7 @@ pub(crate) struct Case {
 
 /// A change as quoted in diagnostics: a key and a TOML value, or none if the key is removed.
 pub(crate) fn change(key: &str, value: Option<&str>) -> Override {
-    let value_text = value.unwrap_or("None");
-    let text = format!("{key} = {value_text}");
-    let start = text.len() - value_text.len();
-    let quote = Quote {
-        name: "with_".into(),
-        key: 0..key.len(),
-        value: start..text.len(),
-        text: text.into(),
-        verbatim: true,
-    };
+    let quote = Quote::of_value("with_", key, value.unwrap_or("None"));
     match value {
         Some(value) => Override::quoted(key, value, quote),
         None => Override::removal(key, quote),

@@ -8,7 +8,7 @@ use std::{
 use pyo3::prelude::*;
 use wholestring_case::Template;
 use wholestring_runner::{
-    Error, Output,
+    Error,
     calibrate::{self, option},
     job::{CaseInput, DataInput, Job, JobFiles, OnDisk},
     study::Study,
@@ -18,11 +18,11 @@ use crate::{
     attended::{Attended, attended},
     case::{Case, Changes, overrides},
     error,
-    existing::existing_of,
 };
 
 /// The files of a job, by the names in its JSON.
-struct Files {
+#[derive(Default)]
+pub(crate) struct Files {
     cases: BTreeMap<PathBuf, CaseInput>,
     /// Paths of the other files.
     paths: BTreeMap<PathBuf, PathBuf>,
@@ -31,6 +31,20 @@ struct Files {
 }
 
 impl Files {
+    /// Cases with the stems of their files, named by their numbers from zero.
+    pub(crate) fn of_cases<'a>(cases: impl IntoIterator<Item = (&'a str, &'a Case)>) -> Self {
+        let cases = cases.into_iter().enumerate().map(|(number, (file, case))| {
+            let input = CaseInput {
+                file: file.to_owned(),
+                template: case.template.clone(),
+                changes: case.changes.clone(),
+                case: Some(case.case.clone()),
+            };
+            (number.to_string().into(), input)
+        });
+        Self { cases: cases.collect(), ..Self::default() }
+    }
+
     fn path<'a>(&'a self, name: &'a Path) -> &'a Path {
         self.paths.get(name).map_or(name, PathBuf::as_path)
     }
@@ -65,7 +79,7 @@ type Ended = (Option<PathBuf>, Option<Py<PyAny>>, Vec<String>);
 /// Runs a job while Python stays free. The cases have the numbers from zero as names in the JSON,
 /// and the stems of their files; `paths` are those of other files by their names in it.
 #[pyfunction]
-#[pyo3(signature = (job, cases, paths, content, changes, folder, existing, listener))]
+#[pyo3(signature = (job, cases, paths, content, changes, folder, listener))]
 #[allow(clippy::too_many_arguments)]
 pub(crate) fn carry_out(
     py: Python<'_>,
@@ -75,26 +89,14 @@ pub(crate) fn carry_out(
     content: Option<Vec<u8>>,
     changes: Changes,
     folder: PathBuf,
-    existing: &str,
     listener: &Bound<'_, PyAny>,
 ) -> PyResult<Ended> {
-    let mut job: Job = serde_json::from_str(job).map_err(|error| invalid(&error))?;
+    let mut job = job_of(job, Some(folder))?;
     job.set = overrides(&changes);
-    let existing = existing_of(existing);
-    let output = Output { folder: Some(folder), existing, ..Output::default() };
-    let cases = cases.iter().enumerate().map(|(number, (file, case))| {
-        let input = CaseInput {
-            file: file.clone(),
-            template: case.template.clone(),
-            changes: case.changes.clone(),
-            case: Some(case.case.clone()),
-        };
-        (number.to_string().into(), input)
-    });
-    let files = Files { cases: cases.collect(), paths, content };
-    let Attended { result, raised } = attended(py, listener, |observer, cancellation| {
-        job.prepare(&files)?.execute(output, observer, cancellation)
-    })?;
+    let cases = Files::of_cases(cases.iter().map(|(file, case)| (file.as_str(), &**case)));
+    let files = Files { paths, content, ..cases };
+    let Attended { result, raised } =
+        attended(py, listener, |observer, cancellation| job.run(&files, observer, cancellation))?;
     let value = |raised: PyErr| raised.into_value(py).into_any();
     match (result, raised) {
         (Ok(outcome), raised) => {
@@ -106,6 +108,13 @@ pub(crate) fn carry_out(
         (Err(_), Some(raised)) => Ok((None, Some(value(raised)), Vec::new())),
         (Err(error), None) => Err(error::of_work(py, &error)),
     }
+}
+
+/// The job of a text, with its folder, which need not be Unicode as the text is.
+pub(crate) fn job_of(text: &str, folder: Option<PathBuf>) -> PyResult<Job> {
+    let mut job: Job = serde_json::from_str(text).map_err(|error| invalid(&error))?;
+    job.output.folder = folder;
+    Ok(job)
 }
 
 /// The error of an option, without its position in the JSON.

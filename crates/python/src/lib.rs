@@ -12,7 +12,6 @@ mod dimension;
 mod error;
 mod event_buffer;
 mod examples;
-mod existing;
 mod folder;
 mod import;
 mod job;

@@ -1,39 +1,14 @@
 //! Options of commands, and the errors of their values.
 
-use std::time::Duration;
-
 use pyo3::prelude::*;
 use wholestring::{operation::OperationKind, outcome::ModelKind};
-use wholestring_runner::{Error, Keep, job};
+use wholestring_runner::{Error, job};
 
 use crate::error;
 
 /// The error of an option's value.
-pub(crate) fn bad(option: &str, reason: impl std::fmt::Display) -> Error {
+fn bad(option: &str, reason: impl std::fmt::Display) -> Error {
     Error::BadInput(format!("`{option}`: {reason}"))
-}
-
-/// Wall-clock time between checkpoints.
-pub(crate) fn checkpoint_every(
-    option: &str,
-    seconds: Option<f64>,
-) -> Result<Option<Duration>, Error> {
-    match seconds {
-        Some(seconds) if !(0.01..=86_400.0).contains(&seconds) => {
-            Err(bad(option, format!("{seconds} s: expected 0.01 s to 86400 s")))
-        }
-        seconds => Ok(seconds.map(Duration::from_secs_f64)),
-    }
-}
-
-/// Results to keep of each case of a batch.
-pub(crate) fn keep(word: Option<&str>) -> Result<Option<Keep>, Error> {
-    let named = |word: &str| {
-        let refused =
-            || bad("keep", format!("`{word}`: expected \"summary\", \"tables\" or \"all\""));
-        Keep::named(word).ok_or_else(refused)
-    };
-    word.map(named).transpose()
 }
 
 pub(crate) fn operation(name: &str) -> Result<OperationKind, Error> {

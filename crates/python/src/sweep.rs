@@ -1,33 +1,24 @@
 //! Sweeps controlled from Python.
 
 use std::{
-    num::NonZeroUsize,
     path::{Path, PathBuf},
     sync::{Mutex, MutexGuard, PoisonError},
 };
 
 use pyo3::{prelude::*, types::PyBytes};
-use wholestring_case::{Override, Variation};
+use wholestring_case::Override;
 use wholestring_runner::{
-    BatchOptions, BatchOutcome, CancellationToken, Output,
-    sweep::{self, Ended, PreparedSweep, Request},
+    BatchOutcome, CancellationToken, Error,
+    sweep::{self, Ended, PreparedSweep},
 };
 
 use crate::{
     attended::attended,
-    case::{Case, change},
+    case::Case,
     error,
-    existing::existing_of,
-    option::{checkpoint_every, keep},
+    job::{Files, job_of},
     table::Table,
 };
-
-/// Values of a key, or a text with them as in `--vary`.
-#[derive(FromPyObject)]
-enum Values {
-    Text(String),
-    List(Vec<String>),
-}
 
 /// A sweep that is checked, holds its folder, and is ready to solve its cases.
 #[pyclass(frozen, module = "wholestring._core")]
@@ -35,20 +26,6 @@ pub(crate) struct Sweep(Mutex<Option<PreparedSweep>>);
 
 /// Failed cases, each with its reason, and whether the sweep was interrupted.
 type Outcome = (Vec<(String, String)>, bool);
-
-fn variation(py: Python<'_>, key: String, values: Values) -> PyResult<Variation> {
-    match values {
-        Values::Text(text) => {
-            let read = Variation::read_all(&[format!("{key}={text}")]);
-            let mut read = read.map_err(|report| error::of_report(py, &report))?;
-            read.pop().ok_or_else(|| error::of_panic(py))
-        }
-        Values::List(values) => {
-            let values = values.iter().map(|value| change(&key, Some(value))).collect();
-            Ok(Variation { key, values })
-        }
-    }
-}
 
 fn outcome(outcome: BatchOutcome) -> Outcome {
     let interrupted = outcome.is_interrupted();
@@ -71,52 +48,40 @@ impl Sweep {
     }
 }
 
+/// The error with the name that the interval between checkpoints has in `sweep`.
+fn in_words_of_sweep(error: Error) -> Error {
+    match error {
+        Error::BadInput(reason) => {
+            Error::BadInput(reason.replace("`checkpoint`", "`checkpoint_every`"))
+        }
+        error => error,
+    }
+}
+
 fn ended() -> PyErr {
     error::bad_input("this sweep has ended")
 }
 
 #[pymethods]
 impl Sweep {
-    /// Reads and checks every case, and claims the folder.
+    /// Reads and checks every case of a job, and claims the folder.
     #[staticmethod]
-    #[allow(clippy::too_many_arguments)]
     fn begin(
         py: Python<'_>,
+        job: &str,
         case: &Case,
-        vary: Vec<(String, Values)>,
-        together: bool,
         folder: Option<PathBuf>,
-        existing: &str,
-        keep_: Option<&str>,
-        csv: bool,
-        jobs: Option<NonZeroUsize>,
-        checkpoint_s: Option<f64>,
         listener: &Bound<'_, PyAny>,
     ) -> PyResult<Self> {
-        let variations = vary.into_iter().map(|(key, values)| variation(py, key, values));
-        let variations = variations.collect::<PyResult<Vec<_>>>()?;
-        let request = Request {
-            template: &case.template,
-            overrides: &case.changes,
-            variations: &variations,
-            together,
-            keep: keep(keep_).map_err(|error| error::of_work(py, &error))?,
-            batch: BatchOptions {
-                output: Output { folder, existing: existing_of(existing), ..Output::default() },
-                jobs,
-                checkpoint_every: checkpoint_every("checkpoint_every", checkpoint_s)
-                    .map_err(|error| error::of_work(py, &error))?,
-                csv,
-                ..BatchOptions::default()
-            },
-        };
+        let job = job_of(job, folder)?;
+        let files = Files::of_cases([("", case)]);
         let work = attended(py, listener, |observer, cancellation| {
-            PreparedSweep::begin(&request, observer, cancellation)
+            job.begin_sweep(&files, observer, cancellation)
         })?;
         match (work.raised, work.result) {
             (Some(raised), _) => Err(raised),
             (None, Ok(hand)) => Ok(Self(Mutex::new(Some(hand)))),
-            (None, Err(error)) => Err(error::of_work(py, &error)),
+            (None, Err(error)) => Err(error::of_work(py, &in_words_of_sweep(error))),
         }
     }
 
@@ -154,6 +119,13 @@ impl Sweep {
     fn changes(&self, py: Python<'_>, case: usize) -> PyResult<Vec<(String, String)>> {
         let pair = |change: &Override| (change.key.clone(), change.value.clone());
         self.with(py, |hand| hand.changes(case).iter().map(pair).collect())
+    }
+
+    /// Options for workers that solve its cases, as [`Variations`](crate::variations::Variations)
+    /// reads them.
+    fn remote_options(&self, py: Python<'_>) -> PyResult<String> {
+        let options = self.with(py, |hand| hand.remote_options())?;
+        serde_json::to_string(&options).map_err(|_| error::of_panic(py))
     }
 
     /// Prepares a case's folder for its solver.

@@ -13,12 +13,7 @@ use pyo3::{exceptions::PyKeyboardInterrupt, prelude::*, types::PyBytes};
 use wholestring_case::{Override, Template};
 use wholestring_runner::{CancellationToken, sweep::RemoteCase};
 
-use crate::{
-    attended::attended,
-    case::change,
-    error,
-    option::{checkpoint_every, keep},
-};
+use crate::{attended::attended, case::change, error};
 
 /// Interval at which a worker checks whether its sweep is still running.
 const LOOK: Duration = Duration::from_millis(50);
@@ -40,21 +35,16 @@ impl Variations {
     /// Solves cases one after the other, each a name, its changes and its folder, and returns their
     /// outcomes. Cases are omitted that had not started when it was interrupted, or when the file
     /// `running` was removed.
-    #[allow(clippy::too_many_arguments)]
     fn solve<'py>(
         &self,
         py: Python<'py>,
         cases: Vec<Task>,
-        keep_: Option<&str>,
-        csv: bool,
-        checkpoint_s: Option<f64>,
+        options: &str,
         running: Option<PathBuf>,
         listener: &Bound<'py, PyAny>,
     ) -> PyResult<Vec<Bound<'py, PyBytes>>> {
-        let of_work = |error| error::of_work(py, &error);
-        let keep = keep(keep_).map_err(of_work)?;
-        let checkpoint_every =
-            checkpoint_every("checkpoint_every", checkpoint_s).map_err(of_work)?;
+        let options = serde_json::from_str(options)
+            .map_err(|error| error::bad_input(format!("no options of a sweep: {error}")))?;
         let work = attended(py, listener, |observer, cancellation| {
             let solve = || -> Result<Vec<Vec<u8>>, serde_json::Error> {
                 let mut all = Vec::new();
@@ -65,7 +55,7 @@ impl Variations {
                     let changes: Vec<Override> =
                         changes.iter().map(|(key, value)| change(key, Some(value))).collect();
                     let (template, changes) = (&self.0, &changes[..]);
-                    let case = RemoteCase { template, changes, name, keep, csv, checkpoint_every };
+                    let case = RemoteCase { template, changes, name, options };
                     let ended = case.solve(folder, observer, cancellation);
                     all.push(serde_json::to_vec(&ended)?);
                 }

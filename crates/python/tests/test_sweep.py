@@ -533,7 +533,11 @@ def test_bad_input_gets_an_answer(soft: ws.Case, tmp_path: Path) -> None:
         ({"tries": 0}, ValueError, "at least 1"),
         ({"checkpoint_every": "3 m"}, ValueError, "a time was expected"),
         ({"bundle": "1 m"}, ValueError, "a time was expected"),
-        ({"checkpoint_every": -1.0}, ws.InputError, "`checkpoint_every`: -1 s: expected 0.01 s"),
+        (
+            {"checkpoint_every": -1.0},
+            ws.InputError,
+            "`checkpoint_every`: `-1.0 s`: expected 0.01 s",
+        ),
         ({"jobs": -1}, ValueError, "`jobs` was given -1: expected a whole number from 1 to 1024"),
         ({"jobs": 10**9}, ValueError, "expected a whole number from 1 to 1024"),
     ]:
@@ -555,9 +559,7 @@ def solve_with_another_version(case: ws.Case, folder: Path) -> None:
         name="case",
         text=case.to_toml(),
         files={},
-        keep=None,
-        csv=False,
-        checkpoint_s=None,
+        options="{}",
         running=str(folder / "running"),
         shared=None,
         version="0.0.0",

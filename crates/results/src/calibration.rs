@@ -100,16 +100,18 @@ pub struct OutlierComparison {
 
 /// A fitted parameter.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 pub struct EstimateFound {
     /// Name, with its unit: `friction_cased`, `block_weight_N`, ...
     pub parameter: String,
-    /// The estimate as a sentence.
+    /// The parameter in words.
     pub words: String,
     /// Its value, SI.
     pub value: f64,
     /// Its standard error; none for a factor at zero.
     pub standard_error: Option<f64>,
     /// The interval by the profile likelihood; an end that is not found is none.
+    #[cfg_attr(feature = "openapi", schema(min_items = 2, max_items = 2))]
     pub interval: [Option<f64>; 2],
     /// Whether the unconstrained value is negative, so that it is set to zero.
     pub at_bound: bool,

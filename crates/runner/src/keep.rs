@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use wholestring::outcome::{Cost, ModelKind};
 use wholestring_case::Case;
 
 /// Files of a case that are kept; each level includes those before it. Frames and spectra are
 /// always kept if a case requires them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Keep {
     /// Its `summary.json`.

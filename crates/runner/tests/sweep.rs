@@ -54,9 +54,7 @@ impl Swept {
             template: &self.template,
             changes: hand.changes(case),
             name: hand.name(case),
-            keep: None,
-            csv: false,
-            checkpoint_every: None,
+            options: hand.remote_options(),
         };
         apart.solve(folder, &Silent, &CancellationToken::new())
     }

@@ -8,7 +8,7 @@ use utoipa::{
     openapi::{ObjectBuilder, RefOr, Schema, Type},
 };
 use wholestring::well;
-use wholestring_judge as judge;
+pub use wholestring_judge::Severity;
 use wholestring_plan::Statics;
 use wholestring_units as units;
 
@@ -44,10 +44,6 @@ pub(crate) const fn hole_kind(kind: well::HoleKind) -> &'static str {
 }
 
 words! {
-    /// Severity of a check.
-    Severity: judge::Severity::ALL.map(judge::Severity::name);
-    /// Kind of a check, an identifier for programs.
-    CheckKind: judge::CheckKind::ALL.iter().map(|kind| kind.name());
     /// A method that answers without steps of time.
     StaticModel: Statics::ALL.map(|model| model.kind().name());
     /// A level of friction.

@@ -55,6 +55,21 @@ pub struct Quote {
     pub verbatim: bool,
 }
 
+impl Quote {
+    /// Returns the quotation `key = value`, with this name.
+    pub fn of_value(name: &str, key: &str, value: &str) -> Self {
+        let text = format!("{key} = {value}");
+        let start = text.len() - value.len();
+        Self {
+            name: name.into(),
+            key: 0..key.len(),
+            value: start..text.len(),
+            text: text.into(),
+            verbatim: true,
+        }
+    }
+}
+
 impl Override {
     /// Returns an override with another source than its own `--set`.
     pub fn quoted(key: &str, value: &str, quote: Quote) -> Self {

@@ -103,6 +103,14 @@ pub fn read_values(option: &str, values: &str, dimension: Dimension) -> Result<V
 }
 
 impl Variation {
+    /// Returns a key with these values, each in the form of `--set`. They may be equal, and there
+    /// may be any number of them, because samples are.
+    pub fn of_values(key: &str, values: &[String]) -> Self {
+        let value =
+            |value: &String| Override::quoted(key, value, Quote::of_value("vary", key, value));
+        Self { key: key.to_owned(), values: values.iter().map(value).collect() }
+    }
+
     /// Returns the values without quotes.
     pub fn bare_values(&self) -> impl Iterator<Item = &str> {
         self.values.iter().map(Override::bare)

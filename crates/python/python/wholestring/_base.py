@@ -27,24 +27,32 @@ class Check:
     Attributes
     ----------
     kind
-        Name of the limit or state: ``"lock_up"``, ``"top_drive"``, ``"von_mises"``.
+        Quantity that is compared, or state that is reported: ``lock_up``, ``top_drive``,
+        ``von_mises``.
     severity
-        ``"ok"``, ``"note"``, ``"warning"`` or ``"error"``.
-    verdict
-        In words: ``"OK"``, ``"marginal"``, ``"below required factor"``, ``"exceeded"``; the
-        severity where there is no limit.
+        Its severity: ``ok``, ``note``, ``warning`` or ``error``.
     sentence
-        The check as a sentence, in the units of the case.
+        The check as a sentence in the user's units.
+    verdict
+        The verdict in words: ``OK``, ``marginal``, ``below required factor``, ``exceeded``; the
+        severity where there is no limit.
     component
-        Component of the string; ``None`` for the rig and for the whole string.
-    md_m, to_md_m
-        Measured depth of the point, or of the upper and the lower end of its interval, m.
-    value, limit
-        Load and capacity of a limit; for a state, its number and the number it is compared with.
-    factor, required
-        Capacity over load, and the required factor; ``None`` where there is no limit.
+        The component; none for the rig and for the whole string.
+    md_m
+        Measured depth of the place, or of the upper end of its interval, m; none without a place.
+    to_md_m
+        Measured depth of the lower end of its interval, m; none for a point and without a place.
+    value
+        The value, for a limit the load, in ``unit``; none where it is not a number.
+    limit
+        Number that the value is compared with, for a limit the capacity; none where there is no
+        such number.
+    factor
+        Capacity over load; none for a kind that is not a limit.
+    required
+        The required factor; none for a kind that is not a limit.
     unit
-        SI unit of value and limit.
+        SI unit of value and limit; empty for a ratio.
 
     Examples
     --------

@@ -66,11 +66,12 @@ class Job:
     jobs: int | None = None
     checkpoint: Scalar | None = None
 
-    def text(self) -> str:
-        """Return the job as JSON."""
+    def text(self, existing: str) -> str:
+        """Return the job as JSON, with the treatment of existing results in its folder."""
         settings = {
             "case": "0" if self.cases else None,
             "work": {key: value for key, value in self.work.items() if value is not None},
+            "output": {"existing": existing},
             "units": self.units,
             "jobs": count(self.jobs),
             "checkpoint": quantity("checkpoint", self.checkpoint, "time"),
@@ -92,7 +93,7 @@ def attempted(
     files = (job.paths, job.content, job.changes)
     with Listener(progress) as listener:
         folder, raised, errors = _core.carry_out(
-            job.text(), cases, *files, place.path, place.existing, listener
+            job.text(place.existing), cases, *files, place.path, listener
         )
     return found(kind, place, folder), raised, errors
 

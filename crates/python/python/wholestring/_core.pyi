@@ -181,7 +181,6 @@ def carry_out(
     content: bytes | None,
     changes: Sequence[tuple[str, str | None]],
     folder: Path,
-    existing: str,
     listener: Listening,
 ) -> tuple[Path | None, BaseException | None, list[str]]: ...
 def calibrated(folder: Path) -> list[tuple[str, str]]: ...
@@ -193,15 +192,9 @@ def broomstick_of(
 class Sweep:
     @staticmethod
     def begin(
+        job: str,
         case: Case,
-        vary: Sequence[tuple[str, str | list[str]]],
-        together: bool,
         folder: str | PathLike[str] | None,
-        existing: str,
-        keep_: str | None,
-        csv: bool,
-        jobs: int | None,
-        checkpoint_s: float | None,
         listener: Listening,
     ) -> Sweep: ...
     def run(
@@ -211,6 +204,7 @@ class Sweep:
     def names(self) -> list[str]: ...
     def left(self) -> list[int]: ...
     def changes(self, case: int) -> list[tuple[str, str]]: ...
+    def remote_options(self) -> str: ...
     def make_ready(self, case: int) -> Path: ...
     def begun(self, case: int) -> list[tuple[str, bytes]]: ...
     def put(self, case: int, files: Sequence[tuple[str, bytes]]) -> None: ...
@@ -224,9 +218,7 @@ class Variations:
     def solve(
         self,
         cases: Sequence[tuple[str, Sequence[tuple[str, str]], str]],
-        keep_: str | None,
-        csv: bool,
-        checkpoint_s: float | None,
+        options: str,
         running: str | PathLike[str] | None,
         listener: Listening,
     ) -> list[bytes]: ...

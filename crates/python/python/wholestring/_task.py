@@ -23,8 +23,8 @@ class Job:
     ----------
     name, text, files
         The case that is varied, and the files that it refers to.
-    keep, csv, checkpoint_s
-        Files kept for each case, and the interval between checkpoints.
+    options
+        Options of the sweep for its cases.
     running
         A file in the folder of the sweep that exists while the sweep runs.
     shared
@@ -36,9 +36,7 @@ class Job:
     name: str
     text: str
     files: dict[str, bytes]
-    keep: str | None
-    csv: bool
-    checkpoint_s: float | None
+    options: str
     running: str
     shared: bool | None
     version: str
@@ -177,4 +175,4 @@ def _solve(
     running: Path | None,
     done: Done,
 ) -> list[bytes]:
-    return variations.solve(cases, held.keep, held.csv, held.checkpoint_s, running, done)
+    return variations.solve(cases, held.options, running, done)

@@ -30,17 +30,17 @@ class Estimate:
     Attributes
     ----------
     parameter
-        Name of the parameter: ``"friction_open"``, ``"block_weight_N"``.
+        Name, with its unit: ``friction_cased``, ``block_weight_N``, ...
     words
-        The name in words.
+        The parameter in words.
     value
-        Estimated value, SI.
+        Its value, SI.
     standard_error
-        Standard error of the value; ``None`` where it is at a bound.
+        Its standard error; none for a factor at zero.
     interval
-        Ends of the confidence interval; ``None`` for an end that was not found.
+        The interval by the profile likelihood; an end that is not found is none.
     at_bound
-        Whether the value is at a bound of its range.
+        Whether the unconstrained value is negative, so that it is set to zero.
 
     Examples
     --------
@@ -60,7 +60,7 @@ class Estimate:
     parameter: str
     words: str
     value: float
-    standard_error: float | None
+    standard_error: float | None = None
     interval: tuple[float | None, float | None]
     at_bound: bool
 

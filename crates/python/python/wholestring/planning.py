@@ -16,11 +16,14 @@ class PlanCheck(Check):
 
     Attributes
     ----------
-    model, operation, friction
-        Model, operation and friction of the check; friction is ``"low"``, ``"expected"`` or
-        ``"high"``.
+    model
+        The model.
+    operation
+        The operation, or the event.
+    friction
+        Level of friction: ``low``, ``expected`` or ``high``.
     bit_depth_m
-        Measured depth of the bit, m.
+        Measured depth of the bit.
 
     Examples
     --------

@@ -9,12 +9,11 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, cast
 
-from . import _core, _values
-from ._commands import count
+from . import _core, _task, _values
+from ._commands import Job, quantity
 from ._dispatch import Dispatcher, running_file
 from ._listener import Listener
 from ._pool import HasExecutor, Pool
-from ._task import Job
 from ._values import Scalar, Value
 from .case import Case
 from .errors import InputError, InputTypeError, Interrupted, NotFoundError
@@ -278,28 +277,23 @@ def sweep(
     """
     if min(tries, 1 if in_flight is None else in_flight) < 1:
         raise InputError("`tries` and `in_flight` must be at least 1")
-    threads = count(jobs)
-    existing = "overwrite" if overwrite else "resume" if resume else "protect"
     bundle_s = cast("float", _values.option("bundle", bundle, "time"))
-    checkpoint_s = _values.option("checkpoint_every", checkpoint_every, "time")
+    checkpoint = quantity("checkpoint_every", checkpoint_every, "time")
     pool = None if executor is None else Pool(executor)
-    varied = [(key, _written(key, values)) for key, values in _values.mapping("vary", vary).items()]
+    varied = _values.mapping("vary", vary)
     if not varied:
         raise InputError("vary names no key: expected such as {'friction': [0.2, 0.3]}")
-    _values.refuse_conflicts([key for key, _ in varied])
+    written = [_written(key, values) for key, values in varied.items()]
+    _values.refuse_conflicts(list(varied))
+    job = Job(
+        {"kind": "sweep", "vary": written, "together": together, "keep": keep, "csv": csv},
+        cases=[case._held],
+        jobs=jobs,
+        checkpoint=checkpoint,
+    )
+    existing = "overwrite" if overwrite else "resume" if resume else "protect"
     with Listener(progress) as listener:
-        core = _core.Sweep.begin(
-            case._held,
-            varied,
-            together,
-            folder,
-            existing,
-            keep,
-            csv,
-            threads,
-            checkpoint_s,
-            listener,
-        )
+        core = _core.Sweep.begin(job.text(existing), case._held, folder, listener)
         into = core.folder()
         try:
             if pool is None:
@@ -308,18 +302,16 @@ def sweep(
                 if raised is not None and not interrupted:
                     raise raised
             else:
-                job = Job(
+                remote = _task.Job(
                     name=case._held.source,
                     text=case._held.template_text(),
                     files=dict(case.files),
-                    keep=keep,
-                    csv=csv,
-                    checkpoint_s=checkpoint_s,
+                    options=core.remote_options(),
                     running=running_file(into),
                     shared=shared_folder,
                     version=_core.__version__,
                 )
-                dispatcher = Dispatcher(core, job, listener)
+                dispatcher = Dispatcher(core, remote, listener)
                 interrupted = dispatcher.run(
                     pool, in_flight=in_flight, bundle_s=bundle_s, tries=tries
                 )
@@ -333,13 +325,13 @@ def sweep(
     return swept
 
 
-def _written(key: str, values: str | Iterable[Value]) -> str | list[str]:
+def _written(key: str, values: str | Iterable[Value]) -> object:
     if isinstance(values, str):
-        return values
+        return f"{key}={values}"
     if isinstance(values, Mapping) or not isinstance(cast("object", values), Iterable):
         message = f"`{key}` was given {values!r}: expected a list of values, or a text"
         raise InputTypeError(message)
-    return [_values.toml(_short(value), key) for value in values]
+    return {"key": key, "values": [_values.toml(_short(value), key) for value in values]}
 
 
 def _short(value: Value) -> Value:

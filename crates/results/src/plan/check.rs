@@ -19,9 +19,13 @@ parts![Check];
 rows! {
     /// A check of one operation at one depth with one friction.
     #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
     pub struct PlanCheck {
+        #[cfg_attr(feature = "openapi", schema(value_type = String))]
         model: ModelKind => Words as MODEL, "The model";
-        friction: FrictionLevel => Words as FRICTION, "Level of friction";
+        #[cfg_attr(feature = "openapi", schema(value_type = String))]
+        friction: FrictionLevel => Words as FRICTION, "Level of friction: `low`, `expected` or `high`";
+        #[cfg_attr(feature = "openapi", schema(value_type = String))]
         operation: PlanOperation => Words as OPERATION, "The operation, or the event";
         bit_depth_m: f64 => Depth, "Measured depth of the bit";
         #[serde(flatten)]

@@ -11,7 +11,7 @@ use super::{
     input::{Input, Reader},
     options,
     outcome::JobOutcome,
-    work::{BhaOptions, CalibrateOptions, ReachOptions, StudyOptions, SweepOptions},
+    work::{BhaOptions, CalibrateOptions, CasesOptions, ReachOptions, StudyOptions, SweepOptions},
 };
 use crate::{
     batch::BatchOptions, bha as assembly, bit_test as bit, calibrate as calibration,
@@ -55,13 +55,13 @@ struct Share {
 }
 
 impl Share {
-    fn read(shard: Option<&String>, csv: bool, keep: Option<Keep>) -> Result<Self, Error> {
-        if csv && keep == Some(Keep::Summary) {
+    fn read(options: &CasesOptions) -> Result<Self, Error> {
+        if options.csv && options.keep == Some(Keep::Summary) {
             let reason =
                 "`csv` writes tables, and `keep = summary` keeps none: leave out one of them";
             return Err(Error::BadInput(reason.to_owned()));
         }
-        Ok(Self { shard: options::shard(shard)?, csv })
+        Ok(Self { shard: options::shard(options.shard.as_ref())?, csv: options.csv })
     }
 
     fn batch(self, output: Output, settings: Settings) -> BatchOptions {
@@ -242,34 +242,56 @@ pub(super) fn calibrate(
     ))
 }
 
+/// The inputs of a sweep.
+pub(super) struct SweepInput {
+    template: Arc<Template>,
+    changes: Vec<Override>,
+    variations: Vec<Variation>,
+    together: bool,
+    keep: Option<Keep>,
+    share: Share,
+    settings: Settings,
+}
+
+impl SweepInput {
+    pub(super) fn read(
+        reader: &Reader<'_>,
+        case: &Path,
+        options: &SweepOptions,
+        settings: Settings,
+    ) -> Result<Self, Error> {
+        let share = Share::read(&options.cases)?;
+        let variations = options::variations(&options.vary)?;
+        let (together, keep) = (options.together, options.cases.keep);
+        let CaseInput { template, mut changes, .. } = reader.files.case(case)?;
+        changes.extend(reader.set.iter().cloned());
+        Ok(Self { template, changes, variations, together, keep, share, settings })
+    }
+
+    pub(super) fn request(&self, output: Output) -> sweeping::Request<'_> {
+        sweeping::Request {
+            template: &self.template,
+            overrides: &self.changes,
+            variations: &self.variations,
+            together: self.together,
+            keep: self.keep,
+            batch: self.share.batch(output, self.settings),
+        }
+    }
+}
+
 pub(super) fn sweep(
     reader: &mut Reader<'_>,
     case: &Path,
     options: &SweepOptions,
     settings: Settings,
 ) -> Result<Ready, Error> {
-    let share = Share::read(options.shard.as_ref(), options.csv, options.keep)?;
-    let variations = Variation::read_all(&options.vary)?;
-    if variations.is_empty() {
-        let reason = "nothing is varied: give a key with its values";
-        return Err(Error::BadInput(reason.to_owned()));
-    }
-    let (together, keep) = (options.together, options.keep);
-    let CaseInput { template, mut changes, .. } = reader.files.case(case)?;
-    changes.extend(reader.set.iter().cloned());
+    let sweep = SweepInput::read(reader, case, options, settings)?;
     // The case itself may be valid with the varied values only.
-    let title = template.case(&changes);
-    let title = title.map_or_else(|_| template.name().to_owned(), |case| case.name);
+    let title = sweep.template.case(&sweep.changes);
+    let title = title.map_or_else(|_| sweep.template.name().to_owned(), |case| case.name);
     let execute: Execute = Box::new(move |output, observer, token| {
-        let request = sweeping::Request {
-            template: &template,
-            overrides: &changes,
-            variations: &variations,
-            together,
-            keep,
-            batch: share.batch(output, settings),
-        };
-        Ok(JobOutcome::Sweep(sweeping::run(&request, observer, token)?))
+        Ok(JobOutcome::Sweep(sweeping::run(&sweep.request(output), observer, token)?))
     });
     Ok(Ready { title, case: None, execute })
 }
@@ -279,8 +301,8 @@ pub(super) fn study(
     options: &StudyOptions,
     settings: Settings,
 ) -> Result<Ready, Error> {
-    let share = Share::read(options.shard.as_ref(), options.csv, options.keep)?;
-    let (keep, png) = (options.keep, options.png);
+    let share = Share::read(&options.cases)?;
+    let (keep, png) = (options.cases.keep, options.png);
     let study = reader.files.study(&options.study)?;
     if !study.warnings.is_empty() {
         reader.warnings.push(study.warnings.clone());
@@ -314,7 +336,7 @@ pub(super) fn bit_test(
     csv: bool,
     settings: Settings,
 ) -> Result<Ready, Error> {
-    let share = Share::read(shard, csv, None)?;
+    let share = Share { shard: options::shard(shard)?, csv };
     let Input { case, .. } = reader.case(case, None)?;
     let units = settings.units;
     Ok(Ready::of_case(

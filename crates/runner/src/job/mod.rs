@@ -18,4 +18,7 @@ pub use options::operation;
 pub use outcome::JobOutcome;
 pub use prepared::PreparedJob;
 pub use request::Job;
-pub use work::{BhaOptions, CalibrateOptions, ReachOptions, StudyOptions, SweepOptions, Work};
+pub use work::{
+    BhaOptions, CalibrateOptions, CasesOptions, ReachOptions, StudyOptions, SweepOptions, Varied,
+    Work,
+};

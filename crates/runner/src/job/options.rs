@@ -4,10 +4,10 @@ use std::{num::NonZeroUsize, time::Duration};
 
 use serde::{Deserialize, Deserializer};
 use wholestring::{operation::OperationKind, outcome::ModelKind};
-use wholestring_case::{Override, operation_named, read_values};
+use wholestring_case::{Override, Variation, operation_named, read_values};
 use wholestring_units::Dimension;
 
-use super::work::{BhaOptions, CalibrateOptions, ReachOptions};
+use super::work::{BhaOptions, CalibrateOptions, ReachOptions, Varied};
 use crate::{
     bha::Sweeps,
     calibrate::{CheckDynamics, Fit, option},
@@ -54,6 +54,31 @@ pub(super) fn checkpoint_interval(text: Option<&String>) -> Result<Option<Durati
 pub(super) fn shard(text: Option<&String>) -> Result<Shard, Error> {
     let shard = text.map(|text| text.parse().map_err(|reason| refused("shard", reason)));
     Ok(shard.transpose()?.unwrap_or_default())
+}
+
+/// The varied keys of a sweep, at least one.
+pub(super) fn variations(vary: &[Varied]) -> Result<Vec<Variation>, Error> {
+    let text = |varied: &Varied| match varied {
+        Varied::Text(text) => Some(text.clone()),
+        Varied::List { .. } => None,
+    };
+    let texts: Vec<String> = vary.iter().filter_map(text).collect();
+    let mut of_texts = Variation::read_all(&texts)?.into_iter();
+    let all = vary.iter().filter_map(|varied| match varied {
+        Varied::Text(_) => of_texts.next(),
+        Varied::List { key, values } => Some(Variation::of_values(key, values)),
+    });
+    let all: Vec<Variation> = all.collect();
+    if all.is_empty() {
+        let reason = "nothing is varied: give a key with its values";
+        return Err(Error::BadInput(reason.to_owned()));
+    }
+    for (index, variation) in all.iter().enumerate() {
+        if all[..index].iter().any(|other| other.key == variation.key) {
+            return Err(refused("vary", format!("`{}` is varied twice", variation.key)));
+        }
+    }
+    Ok(all)
 }
 
 /// The depths of a reach, first and last, m.
@@ -249,5 +274,63 @@ pub(super) mod changes {
             }
             Ok(changes)
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::{Job, Work};
+
+    fn varied(vary: &str) -> Result<Vec<Variation>, Error> {
+        let text = format!(r#"{{"work": {{"kind": "sweep", "vary": {vary}}}}}"#);
+        let job: Job = serde_json::from_str(&text).map_err(Error::bad_input)?;
+        let Work::Sweep(options) = &job.work else { unreachable!("it is a sweep") };
+        variations(&options.vary)
+    }
+
+    /// The values of a job are texts or lists in any order, and equal values of a list are kept.
+    #[test]
+    fn values_of_a_job_are_texts_or_lists() {
+        let all = varied(
+            r#"["rpm=60,70", {"key": "friction", "values": ["0.2", "0.2"]}, "wob=1kN..3kN/1kN"]"#,
+        );
+        let all = all.expect("variations");
+        let values = |variation: &Variation| -> Vec<String> {
+            variation.values.iter().map(|value| value.value.clone()).collect()
+        };
+        let all: Vec<_> = all.iter().map(|one| (one.key.as_str(), values(one).join(" "))).collect();
+        let expected = [("rpm", "60 70"), ("friction", "0.2 0.2"), ("wob", "1kN 2kN 3kN")];
+        assert_eq!(all, expected.map(|(key, values)| (key, values.to_owned())));
+    }
+
+    #[test]
+    fn values_without_a_key_and_of_a_key_twice_are_refused() {
+        let list = r#"{"key": "rpm", "values": ["60"]}"#;
+        for (vary, reason) in [
+            ("[]".to_owned(), "nothing is varied"),
+            (format!(r#"["rpm=70", {list}]"#), "`vary`: `rpm` is varied twice"),
+            ("[3]".to_owned(), "`vary`: expected a text such as friction=0.1,0.2"),
+            (r#"[{"key": "rpm", "values": [], "step": 1}]"#.to_owned(), "`vary`: expected a text"),
+        ] {
+            let error = varied(&vary).expect_err(&vary).to_string();
+            assert!(error.contains(reason), "{vary}: {error}");
+        }
+    }
+
+    /// The options of cases are among those of the work, and no others are.
+    #[test]
+    fn an_unknown_option_of_a_sweep_is_refused() {
+        let job = |option: &str| {
+            let text = r#"{"work": {"kind": "sweep", "vary": ["rpm=60"], "keep": "all", OPTION}}"#;
+            serde_json::from_str::<Job>(&text.replace("OPTION", option))
+        };
+        let known = job(r#""csv": true"#).expect("a job");
+        let Work::Sweep(options) = &known.work else { unreachable!("it is a sweep") };
+        assert_eq!((options.cases.keep, options.cases.csv), (Some(Keep::All), true));
+        let unknown = job(r#""cvs": true"#).expect_err("an unknown option");
+        assert!(unknown.to_string().contains("unknown field `cvs`"), "{unknown}");
+        let written = serde_json::to_value(&known.work).expect("JSON");
+        assert_eq!((&written["kind"], &written["keep"]), (&"sweep".into(), &"all".into()));
     }
 }

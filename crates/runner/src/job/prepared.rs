@@ -6,7 +6,7 @@ use wholestring_case::{Case, Report};
 use wholestring_units::UnitSet;
 
 use super::{
-    commands::{self, Execute, Ready, Settings},
+    commands::{self, Execute, Ready, Settings, SweepInput},
     files::JobFiles,
     input::Reader,
     options,
@@ -14,7 +14,10 @@ use super::{
     request::Job,
     work::Work,
 };
-use crate::{cancellation::CancellationToken, error::Error, observer::Observer, output::Output};
+use crate::{
+    cancellation::CancellationToken, error::Error, observer::Observer, output::Output,
+    sweep::PreparedSweep,
+};
 
 /// A job whose inputs are read and whose options are checked.
 pub struct PreparedJob {
@@ -53,11 +56,29 @@ impl Job {
     ) -> Result<JobOutcome, Error> {
         self.prepare(files)?.execute(self.output.clone(), observer, cancellation)
     }
-}
 
-impl PreparedJob {
-    fn read(job: &Job, files: &dyn JobFiles) -> Result<Self, Error> {
-        let Job { case, work, set, output: _, units, jobs, checkpoint } = job;
+    /// Checks every case of a sweep and claims its folder; the caller solves or distributes the
+    /// cases.
+    ///
+    /// # Errors
+    /// Work that is no sweep, an invalid option or case, and a folder that cannot take the results.
+    pub fn begin_sweep(
+        &self,
+        files: &dyn JobFiles,
+        observer: &dyn Observer,
+        cancellation: &CancellationToken,
+    ) -> Result<PreparedSweep, Error> {
+        let Work::Sweep(options) = &self.work else {
+            return Err(Error::BadInput(format!("{} is no sweep", self.work.command())));
+        };
+        let settings = self.settings()?;
+        let reader = Reader { files, set: &self.set, warnings: Vec::new() };
+        let sweep = SweepInput::read(&reader, self.named_case()?, options, settings)?;
+        PreparedSweep::begin(&sweep.request(self.output.clone()), observer, cancellation)
+    }
+
+    fn settings(&self) -> Result<Settings, Error> {
+        let Self { work, units, jobs, checkpoint, .. } = self;
         if checkpoint.is_some() && !work.has_checkpoints() {
             return Err(options::refused("checkpoint", format!("{} writes none", work.command())));
         }
@@ -66,14 +87,23 @@ impl PreparedJob {
             return Err(options::refused("units", reason));
         }
         let checkpoint_every = options::checkpoint_interval(checkpoint.as_ref())?;
-        let settings = Settings { units: *units, jobs: *jobs, checkpoint_every };
-        let mut reader = Reader { files, set, warnings: Vec::new() };
-        let Ready { title, case, execute } = match (work, case.as_deref()) {
-            (Work::Study(options), _) => commands::study(&mut reader, options, settings)?,
-            (_, None) => return Err(Error::BadInput("no case is named".to_owned())),
-            (_, Some(case)) => of_case(&mut reader, work, case, settings)?,
+        Ok(Settings { units: *units, jobs: *jobs, checkpoint_every })
+    }
+
+    fn named_case(&self) -> Result<&Path, Error> {
+        self.case.as_deref().ok_or_else(|| Error::BadInput("no case is named".to_owned()))
+    }
+}
+
+impl PreparedJob {
+    fn read(job: &Job, files: &dyn JobFiles) -> Result<Self, Error> {
+        let settings = job.settings()?;
+        let mut reader = Reader { files, set: &job.set, warnings: Vec::new() };
+        let Ready { title, case, execute } = match &job.work {
+            Work::Study(options) => commands::study(&mut reader, options, settings)?,
+            work => of_case(&mut reader, work, job.named_case()?, settings)?,
         };
-        Ok(Self { title, case, units: *units, warnings: reader.warnings, execute })
+        Ok(Self { title, case, units: job.units, warnings: reader.warnings, execute })
     }
 
     /// Name of the case or the study.

@@ -174,26 +174,51 @@ pub struct CalibrateOptions {
     pub png: bool,
 }
 
+/// Options of work on many cases: of `sweep` and `study`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[serde(default)]
+pub struct CasesOptions {
+    /// Results to keep of each case: `summary`, `tables` or `all`.
+    #[serde(deserialize_with = "options::kept")]
+    #[cfg_attr(feature = "openapi", schema(value_type = Option<String>))]
+    pub keep: Option<Keep>,
+    /// Share of the cases to solve, such as `1/4`.
+    pub shard: Option<String>,
+    /// Whether the tables that are kept are written as CSV too.
+    pub csv: bool,
+}
+
 /// Options of `sweep`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
 #[serde(deny_unknown_fields)]
 pub struct SweepOptions {
-    /// Values by key: `friction=0.1,0.2,0.3`, `bit_depth=300m..4305m/300m`.
-    pub vary: Vec<String>,
+    /// The varied keys with their values.
+    pub vary: Vec<Varied>,
     /// Whether the keys are varied together: the n-th case has the n-th value of every key.
     #[serde(default)]
     pub together: bool,
-    /// Results to keep of each case: `summary`, `tables` or `all`.
-    #[serde(default, deserialize_with = "options::kept")]
-    #[cfg_attr(feature = "openapi", schema(value_type = Option<String>))]
-    pub keep: Option<Keep>,
-    /// Share of the cases to solve, such as `1/4`.
-    #[serde(default)]
-    pub shard: Option<String>,
-    /// Whether the tables that are kept are written as CSV too.
-    #[serde(default)]
-    pub csv: bool,
+    /// Options of its cases.
+    #[serde(flatten)]
+    pub cases: CasesOptions,
+}
+
+/// A varied key with its values.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "openapi", derive(utoipa::ToSchema))]
+#[serde(untagged, deny_unknown_fields)]
+#[serde(expecting = "`vary`: expected a text such as friction=0.1,0.2, or a key with its values")]
+pub enum Varied {
+    /// As by `--vary`: `friction=0.1,0.2,0.3`, `bit_depth=300m..4305m/300m`.
+    Text(String),
+    /// A list, such as samples, which may be equal.
+    List {
+        /// Dotted or short key.
+        key: String,
+        /// Values as by `--set`.
+        values: Vec<String>,
+    },
 }
 
 /// Options of `study`.
@@ -204,16 +229,9 @@ pub struct StudyOptions {
     /// The study file.
     #[cfg_attr(feature = "openapi", schema(value_type = String))]
     pub study: PathBuf,
-    /// Results to keep of each case: `summary`, `tables` or `all`.
-    #[serde(default, deserialize_with = "options::kept")]
-    #[cfg_attr(feature = "openapi", schema(value_type = Option<String>))]
-    pub keep: Option<Keep>,
-    /// Share of the cases to solve, such as `1/4`.
-    #[serde(default)]
-    pub shard: Option<String>,
-    /// Whether the tables that are kept are written as CSV too.
-    #[serde(default)]
-    pub csv: bool,
+    /// Options of its cases.
+    #[serde(flatten)]
+    pub cases: CasesOptions,
     /// Whether PNG images are written too.
     #[serde(default)]
     pub png: bool,

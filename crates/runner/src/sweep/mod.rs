@@ -30,7 +30,7 @@ pub use self::{
     in_memory::{Many, operations_table, solve_many},
     prepared::{PreparedSweep, run},
     read::read,
-    remote_case::RemoteCase,
+    remote_case::{RemoteCase, RemoteOptions},
     request::Request,
     table::{FILE, SCALARS},
 };

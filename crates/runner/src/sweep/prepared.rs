@@ -17,6 +17,7 @@ use super::{
     one_case::is_complete,
     pace::Pace,
     points::{points, points_together},
+    remote_case::RemoteOptions,
     request::Request,
     set::Set,
 };
@@ -140,6 +141,13 @@ impl PreparedSweep {
     /// Changes of a case.
     pub fn changes(&self, case: usize) -> &[Override] {
         &self.cases.points[case].changes
+    }
+
+    /// Options for cases that are solved separately.
+    pub fn remote_options(&self) -> RemoteOptions {
+        let keep = self.cases.sets[0].keep;
+        let BatchOptions { csv, checkpoint_every, .. } = self.options;
+        RemoteOptions { keep, csv, checkpoint_every }
     }
 
     /// Indices of the cases to solve, the longest first. If the sweep is resumed, finished cases

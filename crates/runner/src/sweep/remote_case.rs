@@ -2,6 +2,7 @@
 
 use std::{path::Path, time::Duration};
 
+use serde::{Deserialize, Serialize};
 use wholestring_case::{Override, Template};
 use wholestring_results::ResultsFolder;
 
@@ -26,12 +27,16 @@ pub struct RemoteCase<'a> {
     pub changes: &'a [Override],
     /// Name of the case in messages.
     pub name: &'a str,
-    /// Files that are kept, as in the request of the sweep.
-    pub keep: Option<Keep>,
-    /// Whether to also write the tables that are kept as CSV.
-    pub csv: bool,
-    /// Wall-clock time between checkpoints; by default that of the case.
-    pub checkpoint_every: Option<Duration>,
+    /// Options of its sweep.
+    pub options: RemoteOptions,
+}
+
+/// Options of a sweep for cases that are solved separately: [`super::PreparedSweep::remote_options`].
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+pub struct RemoteOptions {
+    pub(super) keep: Option<Keep>,
+    pub(super) csv: bool,
+    pub(super) checkpoint_every: Option<Duration>,
 }
 
 impl RemoteCase<'_> {
@@ -43,6 +48,7 @@ impl RemoteCase<'_> {
         observer: &dyn Observer,
         cancellation: &CancellationToken,
     ) -> Ended {
+        let RemoteOptions { keep, csv, checkpoint_every } = self.options;
         Ending::of(|| {
             let case = self.template.case(self.changes);
             let case = case.map_err(|report| Stop::Unsolved(report.render(false)))?;
@@ -50,10 +56,10 @@ impl RemoteCase<'_> {
                 case: &case,
                 label: self.name,
                 simulated_s: 0.0,
-                keep: self.keep.unwrap_or_else(|| Keep::of_itself(&case, self.csv)),
-                csv: self.csv,
+                keep: keep.unwrap_or_else(|| Keep::of_itself(&case, csv)),
+                csv,
                 existing: Existing::Resume,
-                checkpoint_every: self.checkpoint_every,
+                checkpoint_every,
                 watch: Watch { observer, case: 0 },
                 cancellation,
             };

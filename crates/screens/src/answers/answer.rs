@@ -105,9 +105,10 @@ mod tests {
         openapi::{RefOr, Schema},
     };
     use wholestring_case::load;
+    use wholestring_judge::Check;
 
     use super::*;
-    use crate::answers::solved::{SolvedCheck, SolvedScalars};
+    use crate::answers::solved::SolvedScalars;
 
     fn points(case: &Case) -> SetPoints {
         SetPoints::of(case, "")
@@ -151,7 +152,7 @@ mod tests {
             value.as_object().into_iter().flat_map(|entries| entries.keys().cloned()).collect()
         };
         let operation = &found.operations[0];
-        let check = described(SolvedCheck::schema());
+        let check = described(Check::schema());
         assert_eq!(names(&check["properties"]), names(&operation["checks"][0]));
         let scalars = names(&described(SolvedScalars::schema())["properties"]);
         assert!(scalars.len() > 8 && scalars.is_subset(&names(operation)));

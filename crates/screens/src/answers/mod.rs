@@ -19,6 +19,6 @@ pub use broomstick::{Broomstick, BroomstickCurve, FrictionOfLevel};
 pub use column::Column;
 pub use limits::{Limit, OperationLimits, Unchecked};
 pub use set_points::{SectionFriction, SetPoint, SetPoints};
-pub use solved::{Solved, SolvedCheck, SolvedScalars, SolvedStatus};
+pub use solved::{Solved, SolvedScalars, SolvedStatus};
 pub use tracks::{DRAWN, Track, TrackColumns};
 pub use well::{Component, PathView, Section, WellView};

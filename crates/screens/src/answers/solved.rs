@@ -6,8 +6,9 @@ use utoipa::{
     openapi::{ObjectBuilder, RefOr, Schema, Type, schema::SchemaType},
 };
 use wholestring::outcome::SCALARS;
+use wholestring_judge::Check;
 
-use crate::words::{CheckKind, Severity, StaticModel};
+use crate::words::StaticModel;
 
 /// An operation by a model, as in the `summary.json` of a run, which has more.
 #[derive(Debug, Serialize, ToSchema)]
@@ -23,7 +24,7 @@ pub struct Solved {
     #[schema(nullable = false)]
     pub message: Option<String>,
     /// The checks, the most severe first.
-    pub checks: Vec<SolvedCheck>,
+    pub checks: Vec<Check>,
     /// The scalars.
     #[serde(flatten)]
     pub scalars: SolvedScalars,
@@ -39,37 +40,6 @@ pub enum SolvedStatus {
     Interrupted,
     /// Without an answer.
     Failed,
-}
-
-/// A check of an operation: a load against its limit, or a state.
-#[derive(Debug, Serialize, ToSchema)]
-pub struct SolvedCheck {
-    /// Its kind.
-    pub kind: CheckKind,
-    /// Its severity.
-    pub severity: Severity,
-    /// The verdict in words.
-    pub verdict: String,
-    /// The component; null for the rig and the whole string.
-    pub component: Option<String>,
-    /// Measured depth of the place, or of the upper end of its interval, m; null without a place.
-    pub md_m: Option<f64>,
-    /// Measured depth of the lower end of its interval, m; null for a point.
-    pub to_md_m: Option<f64>,
-    /// The value, for a limit the load, in `unit`.
-    pub value: Option<f64>,
-    /// The number that the value is compared with, in `unit`.
-    pub limit: Option<f64>,
-    /// Capacity over load; null where it is not a limit.
-    pub factor: Option<f64>,
-    /// The required factor; null where it is not a limit.
-    pub required: Option<f64>,
-    /// SI unit of value and limit; empty for a ratio.
-    pub unit: String,
-    /// The check as a sentence.
-    pub sentence: String,
-    /// The sentence with its quantities, from which it is rendered in other units.
-    pub parts: Vec<serde_json::Value>,
 }
 
 /// Description of the scalars that every method reports.

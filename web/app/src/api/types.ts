@@ -291,6 +291,16 @@ export interface CaseVerdict {
   words: string;
 }
 
+/** Options of work on many cases: of `sweep` and `study`. */
+export interface CasesOptions {
+  /** Whether the tables that are kept are written as CSV too. */
+  csv?: boolean;
+  /** Results to keep of each case: `summary`, `tables` or `all`. */
+  keep?: string | null;
+  /** Share of the cases to solve, such as `1/4`. */
+  shard?: string | null;
+}
+
 /** A casing. */
 export interface CasingEntry {
   drift_m: number;
@@ -356,6 +366,36 @@ export interface Channel {
   meaning: string;
   /** Its name, with the SI unit in it. */
   name: string;
+}
+
+/** One comparison of a result with its limit, in SI units, and its verdict. */
+export interface Check {
+  /** The component; none for the rig and for the whole string. */
+  component: string | null;
+  /** Capacity over load; none for a kind that is not a limit. */
+  factor: number | null;
+  /** Quantity that is compared, or state that is reported: `lock_up`, `top_drive`, `von_mises`. */
+  kind: CheckKind;
+  /** Number that the value is compared with, for a limit the capacity; none where there is no such number. */
+  limit: number | null;
+  /** Measured depth of the place, or of the upper end of its interval, m; none without a place. */
+  md_m: number | null;
+  /** The sentence with its quantities, from which it is rendered in other units; empty in files of earlier versions and where no quantity is in it. */
+  parts: unknown[];
+  /** The required factor; none for a kind that is not a limit. */
+  required: number | null;
+  /** The check as a sentence in the user's units. */
+  sentence: string;
+  /** Its severity: `ok`, `note`, `warning` or `error`. */
+  severity: Severity;
+  /** Measured depth of the lower end of its interval, m; none for a point and without a place. */
+  to_md_m: number | null;
+  /** SI unit of value and limit; empty for a ratio. */
+  unit: string;
+  /** The value, for a limit the load, in `unit`; none where it is not a number. */
+  value: number | null;
+  /** The verdict in words: `OK`, `marginal`, `below required factor`, `exceeded`; the severity where there is no limit. */
+  verdict: string;
 }
 
 /** Kind of a check, an identifier for programs. */
@@ -1243,7 +1283,7 @@ export interface SetPoints {
   values: SetPoint[];
 }
 
-/** Severity of a check. */
+/** Severity of a check. Worse ones are greater. */
 export type Severity = "ok" | "note" | "warning" | "error";
 
 /** A display unit. */
@@ -1259,7 +1299,7 @@ export interface ShownUnit {
 /** An operation by a model, as in the `summary.json` of a run, which has more. */
 export type Solved = SolvedScalars & {
   /** The checks, the most severe first. */
-  checks: SolvedCheck[];
+  checks: Check[];
   /** Reason why there is no answer. */
   message?: string;
   /** The model. */
@@ -1269,36 +1309,6 @@ export type Solved = SolvedScalars & {
   /** Progress of the solution. */
   status: SolvedStatus;
 };
-
-/** A check of an operation: a load against its limit, or a state. */
-export interface SolvedCheck {
-  /** The component; null for the rig and the whole string. */
-  component: string | null;
-  /** Capacity over load; null where it is not a limit. */
-  factor: number | null;
-  /** Its kind. */
-  kind: CheckKind;
-  /** The number that the value is compared with, in `unit`. */
-  limit: number | null;
-  /** Measured depth of the place, or of the upper end of its interval, m; null without a place. */
-  md_m: number | null;
-  /** The sentence with its quantities, from which it is rendered in other units. */
-  parts: unknown[];
-  /** The required factor; null where it is not a limit. */
-  required: number | null;
-  /** The check as a sentence. */
-  sentence: string;
-  /** Its severity. */
-  severity: Severity;
-  /** Measured depth of the lower end of its interval, m; null for a point. */
-  to_md_m: number | null;
-  /** SI unit of value and limit; empty for a ratio. */
-  unit: string;
-  /** The value, for a limit the load, in `unit`. */
-  value: number | null;
-  /** The verdict in words. */
-  verdict: string;
-}
 
 /** Torque and drag; null where there is no number. */
 export interface SolvedScalars {
@@ -1402,18 +1412,12 @@ export interface StickSlipLamp {
 }
 
 /** Options of `study`. */
-export interface StudyOptions {
-  /** Whether the tables that are kept are written as CSV too. */
-  csv?: boolean;
-  /** Results to keep of each case: `summary`, `tables` or `all`. */
-  keep?: string | null;
+export type StudyOptions = CasesOptions & {
   /** Whether PNG images are written too. */
   png?: boolean;
-  /** Share of the cases to solve, such as `1/4`. */
-  shard?: string | null;
   /** The study file. */
   study: string;
-}
+};
 
 /** A survey. */
 export interface Survey {
@@ -1425,18 +1429,12 @@ export interface Survey {
 }
 
 /** Options of `sweep`. */
-export interface SweepOptions {
-  /** Whether the tables that are kept are written as CSV too. */
-  csv?: boolean;
-  /** Results to keep of each case: `summary`, `tables` or `all`. */
-  keep?: string | null;
-  /** Share of the cases to solve, such as `1/4`. */
-  shard?: string | null;
+export type SweepOptions = CasesOptions & {
   /** Whether the keys are varied together: the n-th case has the n-th value of every key. */
   together?: boolean;
-  /** Values by key: `friction=0.1,0.2,0.3`, `bit_depth=300m..4305m/300m`. */
-  vary: string[];
-}
+  /** The varied keys with their values. */
+  vary: Varied[];
+};
 
 /** A text that may be the contents of a case file. */
 export interface Text {
@@ -1532,6 +1530,14 @@ export type UnitSet = "si" | "metric" | "field";
 
 /** Description of the units of a dimension in each set. */
 export type UnitsOfSets = [LiveUnit, LiveUnit, LiveUnit];
+
+/** A varied key with its values. */
+export type Varied = string | {
+  /** Dotted or short key. */
+  key: string;
+  /** Values as by `--set`. */
+  values: string[];
+};
 
 /** Path, hole and string. */
 export type WellView = PathView & {
