@@ -96,6 +96,7 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Ta
             let kind = TableErrorKind::ShortRow { found: row.cells.len(), expected };
             return Err(table.source.error(kind, Some(whole(row))));
         }
+        table.check_width(row, &layout.header, |index| layout.is_of_numbers(index))?;
         let place = table.source.row_name(whole(row));
         let mut maybe = |column: Column| match layout.column(column) {
             Some(found) if nulls.hold(&reader, row, found, &place) => Ok(None),

@@ -61,6 +61,12 @@ fn below(table: &Table, header: &Header, layout: &Layout) -> Result<ImportedTall
             }
             continue;
         }
+        if kind == Kind::Component {
+            let is_of_numbers = |index: usize| {
+                layout.columns.iter().any(|laid| laid.index == index && !laid.column.is_words())
+            };
+            table.check_width(row, &header.texts, is_of_numbers)?;
+        }
         let mut cells = Vec::new();
         for laid in &layout.columns {
             // Only the length of a sum is used, and it may have other columns than the rows.
