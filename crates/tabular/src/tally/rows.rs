@@ -4,7 +4,7 @@ use wholestring_units::Unit;
 
 use super::{
     cell::{self, holds},
-    header::{Found, Header, find},
+    header::{Found, Header, find, unit_of},
     imported::{ImportedTally, TallyCell, TallyRow, TallyTotal},
     layout::{self, Laid, Layout},
     lines::Lines,
@@ -13,7 +13,7 @@ use crate::{
     cells::{
         limits::too_much,
         number::{self, Style},
-        table::{Cell, Row, Source, Table},
+        table::{Cell, Position, Row, Source, Table},
     },
     columns::column::Column,
     error::{TableError, TableErrorKind},
@@ -84,7 +84,15 @@ fn below(table: &Table, header: &Header, layout: &Layout) -> Result<ImportedTall
                 }),
                 Ok(None) => {}
                 Err(_) if kind == Kind::Total => {}
-                Err(error) => return Err(table.source.error(error, Some(found.at))),
+                Err(error) => {
+                    let at = match error {
+                        TableErrorKind::MissingReadingUnit { .. } => {
+                            place_of_unit(table, (header, layout), laid, found)
+                        }
+                        _ => found.at,
+                    };
+                    return Err(table.source.error(error, Some(at)));
+                }
             }
         }
         if kind == Kind::Total {
@@ -116,6 +124,22 @@ fn below(table: &Table, header: &Header, layout: &Layout) -> Result<ImportedTall
         Source::Text { .. } => None,
     };
     Ok(ImportedTally { sheet, rows, totals, notes, left_out })
+}
+
+/// Where a column lacks its unit: the heading, or the cell if other cells have a unit of their own.
+fn place_of_unit(
+    table: &Table,
+    (header, layout): (&Header, &Layout),
+    laid: &Laid,
+    cell: &Cell,
+) -> Position {
+    let rows = &table.rows[layout.data.min(table.rows.len())..];
+    let has_own = rows.iter().any(|row| {
+        let (_, rest) = cell::part(row.text(laid.index));
+        unit_of(laid.column, rest).is_some()
+    });
+    let heading = table.rows[header.row].cells.get(laid.index);
+    heading.filter(|_| !has_own).map_or(cell.at, |heading| heading.at)
 }
 
 /// Kind of row.
