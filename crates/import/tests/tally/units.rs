@@ -4,7 +4,9 @@ use insta::assert_snapshot;
 use rust_xlsxwriter::{ExcelDateTime, Format, Worksheet};
 use wholestring_import::{Choices, Input, contents, import};
 
-use crate::{PLAIN, components, header, imported, of_bytes, refused, refused_with, saved, string};
+use crate::{
+    PLAIN, components, header, imported, notes, of_bytes, refused, refused_with, saved, string,
+};
 
 #[test]
 fn units_are_asked_for_and_never_guessed() {
@@ -81,4 +83,16 @@ fn dates_that_a_spreadsheet_made_of_fractions_are_refused_with_their_cell() {
     let bytes = saved(vec![sheet]);
     let error = import(vec![Input::of_bytes("BHA.xlsx", &bytes)], &Choices::default());
     assert_snapshot!(error.unwrap_err(), @"BHA.xlsx, sheet 'BHA', cell B2: the outside diameter is a date: a spreadsheet made one of a fraction such as 8-1/2, and what was typed is lost; format the cell as a number and type it again as a decimal, such as 8.5");
+}
+
+/// Pounds per foot under kg/m make every component lighter than its body.
+#[test]
+fn weights_in_pounds_under_kilograms_are_warned_of_with_their_unit() {
+    let metric = PLAIN.replace("(lb/ft)", "(kg/m)");
+    let found = notes(&imported(&metric));
+    let hint = "give its density too; if lb/ft was meant, correct the unit";
+    assert_eq!(found.matches(hint).count(), 2, "{found}");
+    assert!(!notes(&imported(PLAIN)).contains("was meant"));
+    let heavy = PLAIN.replace("99.5", "148");
+    assert_snapshot!(refused(&heavy), @"tally.csv, line 3, column 'Weight (lb/ft)': the weight per length 148 lb/ft of 'Collar' is out of range; expected at most the 113.1 lb/ft of a solid bar of 165.1 mm; if kg/m was meant, correct the unit");
 }
