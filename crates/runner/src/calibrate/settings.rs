@@ -88,17 +88,17 @@ pub(super) fn settings(
     for (parameter, value) in &fit.hold {
         if !settings.parameters.contains(parameter) {
             let names =
-                settings.parameters.iter().map(|parameter| parameter.name()).collect::<Vec<_>>();
+                settings.parameters.iter().map(|other| option::name(*other)).collect::<Vec<_>>();
             return Err(Error::BadInput(format!(
                 "{} is not a parameter of this fit and cannot be kept fixed; its parameters are {}",
-                parameter.name(),
+                option::name(*parameter),
                 names.join(", ")
             )));
         }
         option::in_range(*parameter, *value).map_err(|expected| {
             Error::BadInput(format!(
                 "{} = {value} cannot be kept fixed: {expected}",
-                parameter.name()
+                option::name(*parameter)
             ))
         })?;
         settings.hold(*parameter, *value);
