@@ -15,6 +15,7 @@ mod tables;
 mod toml;
 
 pub use crate::readings::NamedCase;
+pub(crate) use checks::{of_comparison, sentences};
 pub use dynamic::CheckDynamics;
 pub use fit::Fit;
 pub use request::{Outcome, Request, run};
