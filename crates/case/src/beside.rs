@@ -5,7 +5,7 @@ use wholestring_config::prelude::*;
 use wholestring_judge::{CheckKind, Severity};
 use wholestring_plan::Setup;
 use wholestring_tabular::{ImportedReading, TableError, read_readings};
-use wholestring_units::UnitSet;
+use wholestring_units::{Unit, UnitSet};
 
 /// Reads the content of the file. `noun` names its kind; a file that cannot be read is a mistake of
 /// the case.
@@ -69,6 +69,8 @@ pub struct Measured {
     pub notes: Vec<String>,
     /// Half of the last digit to which the depths of the bit are written, m.
     pub half_digit_m: f64,
+    /// Units of the pick-up, slack-off and rotating weights, and of the torques off and on bottom.
+    pub units: [Option<&'static Unit>; 5],
 }
 
 /// Reads the readings of a file, and checks whether the case can be compared with them.
@@ -100,7 +102,7 @@ pub(crate) fn measured_from_file(
             _ => {}
         }
     }
-    let half_digit_m = imported.half_digit_m;
+    let (half_digit_m, units) = (imported.half_digit_m, imported.units);
     let mut readings = imported.readings;
     let drills = own.iter().any(|operation| operation.kind == OperationKind::Drill);
     let mut on_bottom = readings.iter().filter(|row| row.torque_on_bottom_N_m.is_some());
@@ -126,5 +128,6 @@ pub(crate) fn measured_from_file(
             .help("give `block_weight` under [rig]; `wholestring calibrate` finds it");
         reader.report(diagnostic);
     }
-    Some(Measured { file: file.value.clone(), readings, notes: imported.notes, half_digit_m })
+    let notes = imported.notes;
+    Some(Measured { file: file.value.clone(), readings, notes, half_digit_m, units })
 }

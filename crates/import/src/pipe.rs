@@ -3,13 +3,45 @@
 use std::f64::consts::FRAC_PI_4;
 
 use wholestring::well::casing;
-use wholestring_units::number_text;
+use wholestring_units::{Dimension, Unit, number_text};
 
 /// Mass over that of a body of its metal below which the value has another meaning.
 const LEAST: f64 = 0.4;
 
+/// Mass over that of a steel body below which a component is not steel.
+pub(crate) const LIGHTEST: f64 = 0.9;
+
 /// Allowance for rounding of the mass of a solid bar.
 const ROUNDED: f64 = 1.001;
+
+/// Mass per length of the body of a component, kg/m, from its outside, inside and largest diameters.
+pub(crate) fn body_mass([od_m, id_m, _]: [f64; 3], density_kg_per_m3: f64) -> f64 {
+    density_kg_per_m3 * FRAC_PI_4 * (od_m.powi(2) - id_m.powi(2))
+}
+
+/// Mass per length of a solid bar of the largest of these diameters, kg/m.
+fn solid_mass([_, _, widest_m]: [f64; 3], density_kg_per_m3: f64) -> f64 {
+    body_mass([widest_m, 0.0, widest_m], density_kg_per_m3)
+}
+
+/// Hint at the unit in which an impossible mass per length would be that of a steel component:
+/// pounds per foot under `kg/m`, or the reverse. Empty if there is none; otherwise it begins with
+/// `; `.
+pub(crate) fn other_unit(
+    (number, unit): (f64, &Unit),
+    diameters_m: [f64; 3],
+    density_kg_per_m3: f64,
+) -> String {
+    let body = body_mass(diameters_m, density_kg_per_m3);
+    let possible = LIGHTEST * body..=ROUNDED * solid_mass(diameters_m, density_kg_per_m3);
+    let others = ["kg/m", "lb/ft"].map(|symbol| Dimension::MassPerLength.find_unit(symbol));
+    let other = others
+        .into_iter()
+        .flatten()
+        .find(|other| other.symbol != unit.symbol && possible.contains(&other.to_si(number)));
+    other
+        .map_or(String::new(), |other| format!("; if {} was meant, correct the unit", other.symbol))
+}
 
 /// Checks a mass per length, kg/m, between a part of that of the body and that of a solid bar of its
 /// largest diameter; the case has the same upper limit. `shown` writes a mass in the units of the
@@ -19,17 +51,17 @@ const ROUNDED: f64 = 1.001;
 /// The expected mass, in words.
 pub(crate) fn mass_in_range(
     mass_kg_per_m: f64,
-    [od_m, id_m, widest_m]: [f64; 3],
+    diameters_m: [f64; 3],
     density_kg_per_m3: f64,
     shown: impl Fn(f64) -> String,
 ) -> Result<(), String> {
-    let ring = |od_m: f64, id_m: f64| density_kg_per_m3 * FRAC_PI_4 * (od_m.powi(2) - id_m.powi(2));
-    let (body, solid) = (ring(od_m, id_m), ring(widest_m, 0.0));
+    let body = body_mass(diameters_m, density_kg_per_m3);
+    let solid = solid_mass(diameters_m, density_kg_per_m3);
     if mass_kg_per_m > solid * ROUNDED {
         return Err(format!(
             "at most the {} of a solid bar of {} mm",
             shown(solid),
-            number_text((widest_m * 1e4).round() / 10.0)
+            number_text((diameters_m[2] * 1e4).round() / 10.0)
         ));
     }
     if mass_kg_per_m < LEAST * body {

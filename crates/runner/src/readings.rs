@@ -100,8 +100,18 @@ pub(crate) fn of_rows(
         };
         let units = cases[case].case.units;
         let bit_depth_m =
-            within(row, half_digit_m, &data.assemblies[setup], units, &mut data.checks)
-                .map_err(bad)?;
+            match within(row, half_digit_m, &data.assemblies[setup], units, &mut data.checks) {
+                Ok(bit_depth_m) => bit_depth_m,
+                Err(reason) if row.held_out => {
+                    let sentence =
+                        format!("{}: {reason}; the row is not used and left out", row.place);
+                    let kind = CheckKind::NoReadings;
+                    let check = ReadingCheck::new(kind, Severity::Warning, sentence);
+                    data.checks.push(check.on(vec![row.place.clone()]));
+                    continue;
+                }
+                Err(reason) => return Err(bad(reason)),
+            };
         let values = [
             row.pick_up_N,
             row.slack_off_N,

@@ -255,6 +255,31 @@ pub enum TableErrorKind {
         /// Number of columns.
         expected: usize,
     },
+    /// A row with more cells than the header has columns.
+    #[error(
+        "{found} cells in this row, but the header has {expected} columns{}",
+        match split {
+            Some([before, rest]) => format!(
+                ": '{before}' and '{rest}' look like one number with thousands; numbers with a \
+                 separator of thousands need quotation marks, or another separator between the \
+                 columns, such as semicolons"
+            ),
+            None => format!(
+                "; '{first}' is under none of them: add its heading, or put the cell that contains \
+                 a separator in quotation marks"
+            ),
+        }
+    )]
+    LongRow {
+        /// Number of cells in the row, without empty ones at its end.
+        found: usize,
+        /// Number of columns of the header.
+        expected: usize,
+        /// The first cell beyond the columns.
+        first: String,
+        /// Two adjacent cells that look like one number cut at its thousands, if there are any.
+        split: Option<[String; 2]>,
+    },
     /// A measured depth that does not increase.
     #[error(
         "the measured depth {} after {previous}; it must increase from station to station",

@@ -5,7 +5,7 @@ use wholestring_units::Unit;
 use crate::{
     cells::{
         self, fixed,
-        table::{Source, Table},
+        table::{BLANKS, Source, Table},
     },
     columns::{
         column::Column,
@@ -114,7 +114,7 @@ fn of_tables<R>(
 /// Whether an empty cell counts as a cell: with words separated by any blanks it does not, and a
 /// tally has many.
 fn keeps_empty_cells(table: &Table) -> bool {
-    table.parted_by != Some("blanks")
+    table.parted_by != Some(BLANKS)
 }
 
 /// Whether the table has a bit depth, and a weight or a torque.

@@ -36,6 +36,8 @@ struct Channel {
 const PICK_UP: usize = 0;
 const SLACK_OFF: usize = 1;
 const ROTATING: usize = 2;
+const OFF_BOTTOM: usize = 3;
+const ON_BOTTOM: usize = 4;
 
 const CHANNELS: [Channel; 5] = [
     Channel {
@@ -63,7 +65,7 @@ const CHANNELS: [Channel; 5] = [
         put: |reading| &mut reading.rotating_N,
     },
     Channel {
-        name: CHANNEL_WORDS[3],
+        name: CHANNEL_WORDS[OFF_BOTTOM],
         dimension: Dimension::Torque,
         range: [0.0, 1e6],
         usual: [0.0, 2e5],
@@ -71,7 +73,7 @@ const CHANNELS: [Channel; 5] = [
         put: |reading| &mut reading.torque_N_m,
     },
     Channel {
-        name: CHANNEL_WORDS[4],
+        name: CHANNEL_WORDS[ON_BOTTOM],
         dimension: Dimension::Torque,
         range: [0.0, 1e6],
         usual: [0.0, 2e5],
@@ -90,13 +92,36 @@ const DENSITY: Channel = Channel {
     put: |reading| &mut reading.mud_density_kg_per_m3,
 };
 
-/// Pairs of columns with the larger load first, and whether it is an error if most rows differ. A
-/// rotating weight below the slack-off weight is no error, because pumping at the same time lifts
-/// the string.
-const ORDER: [(usize, usize, bool); 3] =
-    [(PICK_UP, SLACK_OFF, true), (PICK_UP, ROTATING, true), (ROTATING, SLACK_OFF, false)];
+/// Two columns of which the first has the larger loads.
+struct Order {
+    greater: usize,
+    smaller: usize,
+    /// The reason, in a sentence.
+    why: &'static str,
+    /// Fraction of the rows out of order above which the columns are wrong, which is an error;
+    /// `None` if it is none.
+    error_above: Option<f64>,
+}
 
-/// Relative difference above which two weights of a row are out of order: twice the error of a
+/// Reason for the order of weights.
+const FRICTION: &str = "friction makes pick-up ≥ rotating ≥ slack-off";
+
+/// Pairs of columns in order. A rotating weight below the slack-off weight is no error, because
+/// pumping at the same time lifts the string. A weight on bit relieves the string of some friction,
+/// so that a small torque of the bit may leave less torque on bottom in some rows.
+const ORDER: [Order; 4] = [
+    Order { greater: PICK_UP, smaller: SLACK_OFF, why: FRICTION, error_above: Some(0.5) },
+    Order { greater: PICK_UP, smaller: ROTATING, why: FRICTION, error_above: Some(0.5) },
+    Order { greater: ROTATING, smaller: SLACK_OFF, why: FRICTION, error_above: None },
+    Order {
+        greater: ON_BOTTOM,
+        smaller: OFF_BOTTOM,
+        why: "on bottom the torque of the bit adds to that of the string",
+        error_above: Some(0.9),
+    },
+];
+
+/// Relative difference above which two loads of a row are out of order: twice the error of a
 /// weight indicator plus rounding to 5 klbf.
 const OUT_OF_ORDER: f64 = 0.03;
 
@@ -121,7 +146,10 @@ impl ImportedReadings {
         if self.readings.iter().all(is_empty) && !checks.iter().any(is_error) {
             checks.push(nothing_left(&self.readings, had_values));
         }
-        checks.extend(order(&self.readings, units));
+        match frozen(&self.readings, units) {
+            Some(check) => checks.push(check),
+            None => checks.extend(order(&self.readings, units)),
+        }
         (self, checks)
     }
 }
@@ -315,65 +343,113 @@ fn unusual(
     )
 }
 
-/// Finds pairs of columns whose order contradicts friction, in most rows or in some.
+/// Finds pairs of columns in the wrong order, in most rows or in some.
 fn order(readings: &[ImportedReading], units: UnitSet) -> Vec<ReadingCheck> {
-    let mut checks: Vec<ReadingCheck> = Vec::new();
-    for (greater, smaller, is_error) in ORDER {
-        let (greater, smaller) = (&CHANNELS[greater], &CHANNELS[smaller]);
-        let both = readings.iter().filter_map(|reading| {
-            Some((reading, (greater.get)(reading)?, (smaller.get)(reading)?))
-                .filter(|(_, greater, smaller)| *greater > 0.0 && *smaller > 0.0)
-        });
-        let both: Vec<_> = both.collect();
-        let wrong: Vec<_> =
-            both.iter().filter(|pair| pair.2 > pair.1 * (1.0 + OUT_OF_ORDER)).collect();
-        let Some(worst) = wrong.iter().max_by(|a, b| (a.2 / a.1).total_cmp(&(b.2 / b.1))) else {
-            continue;
-        };
-        let places: Vec<String> = wrong.iter().map(|pair| pair.0.place.clone()).collect();
-        let most = 2 * wrong.len() > both.len();
-        let severity = match (most, is_error) {
-            (true, true) => Severity::Error,
-            _ => Severity::Warning,
-        };
-        let mut sentence = format!(
-            "the {} is below the {} in {} of {} rows ({}), by most in {}: {} below {}; friction makes pick-up ≥ \
-             rotating ≥ slack-off",
-            greater.name,
-            smaller.name,
-            wrong.len(),
-            both.len(),
-            row_names(&places),
-            worst.0.place,
-            formatted(greater, worst.1, units),
-            formatted(smaller, worst.2, units),
-        );
-        sentence += match (most, is_error, worst.2 / worst.1 > OTHER_UNIT) {
-            (true, true, true) => ": is one of the columns in another unit?",
-            (true, true, false) => ": are the columns swapped?",
-            (true, false, _) => {
-                ": are the columns swapped, or do the pumps lift the string while it rotates?"
-            }
-            _ => ": these rows contradict themselves; they are kept",
-        };
-        checks.push(
-            ReadingCheck::new(
-                if severity == Severity::Error {
-                    CheckKind::ReadingsSwapped
-                } else {
-                    CheckKind::OrderOfLoads
-                },
-                severity,
-                sentence,
-            )
-            .numbers([Some(worst.1), Some(worst.2)])
-            .on(places)
-            .in_units(units),
-        );
-    }
+    let checks = ORDER.iter().filter_map(|order| out_of_order(readings, order, units));
+    let mut checks: Vec<ReadingCheck> = checks.collect();
     // Columns that are swapped contradict all others.
     if checks.iter().any(|check| check.check.severity == Severity::Error) {
         checks.retain(|check| check.check.severity == Severity::Error);
     }
     checks
+}
+
+fn out_of_order(
+    readings: &[ImportedReading],
+    order: &Order,
+    units: UnitSet,
+) -> Option<ReadingCheck> {
+    let (greater, smaller) = (&CHANNELS[order.greater], &CHANNELS[order.smaller]);
+    let both = readings.iter().filter_map(|reading| {
+        Some((reading, (greater.get)(reading)?, (smaller.get)(reading)?))
+            .filter(|(_, greater, smaller)| *greater > 0.0 && *smaller > 0.0)
+    });
+    let both: Vec<_> = both.collect();
+    let wrong: Vec<_> = both.iter().filter(|pair| pair.2 > pair.1 * (1.0 + OUT_OF_ORDER)).collect();
+    let worst = wrong.iter().max_by(|a, b| (a.2 / a.1).total_cmp(&(b.2 / b.1)))?;
+    let places: Vec<String> = wrong.iter().map(|pair| pair.0.place.clone()).collect();
+    let part = wrong.len() as f64 / both.len() as f64;
+    let is_error = order.error_above.is_some_and(|limit| part > limit);
+    let is_torque = greater.dimension == Dimension::Torque;
+    let mut sentence = format!(
+        "the {} is below the {} in {} of {} rows ({}), by most in {}: {} below {}; {}",
+        greater.name,
+        smaller.name,
+        wrong.len(),
+        both.len(),
+        row_names(&places),
+        worst.0.place,
+        formatted(greater, worst.1, units),
+        formatted(smaller, worst.2, units),
+        order.why,
+    );
+    // Torques off bottom may be small, so that a large ratio shows no other unit.
+    sentence += match (is_error, !is_torque && worst.2 / worst.1 > OTHER_UNIT) {
+        (true, true) => ": is one of the columns in another unit?",
+        (true, false) => ": are the columns swapped?",
+        (false, _) if is_torque => {
+            ": check the columns, and whether the string was off bottom and at the same speed"
+        }
+        (false, _) if part > 0.5 => {
+            ": are the columns swapped, or do the pumps lift the string while it rotates?"
+        }
+        (false, _) => ": these rows contradict themselves; check them",
+    };
+    let (kind, severity) = match is_error {
+        true => (CheckKind::ReadingsSwapped, Severity::Error),
+        false => (CheckKind::OrderOfLoads, Severity::Warning),
+    };
+    let check = ReadingCheck::new(kind, severity, sentence);
+    Some(check.numbers([Some(worst.1), Some(worst.2)]).on(places).in_units(units))
+}
+
+/// Smallest number of rows in which a sensor that does not change is recognised, and the smallest
+/// change of the bit's depth over the largest: a string of this length more has another weight.
+const FROZEN_ROWS: usize = 3;
+const FROZEN_DEPTHS: f64 = 0.2;
+
+/// Finds weights that are one number in every row and column: the sensor was frozen, because the
+/// weight of a string grows with the depth of the bit, and friction separates pick-up and slack-off.
+fn frozen(readings: &[ImportedReading], units: UnitSet) -> Option<ReadingCheck> {
+    let weights = |reading: &ImportedReading| {
+        let channels = CHANNELS.iter().filter(|channel| channel.dimension == Dimension::Force);
+        channels.filter_map(|channel| (channel.get)(reading)).collect::<Vec<f64>>()
+    };
+    let rows: Vec<&ImportedReading> =
+        readings.iter().filter(|reading| !weights(reading).is_empty()).collect();
+    let first = *weights(rows.first()?).first()?;
+    let depths = || rows.iter().map(|reading| reading.bit_depth_m);
+    let (least_m, most_m) = (depths().fold(f64::INFINITY, f64::min), depths().fold(0.0, f64::max));
+    if rows.len() < FROZEN_ROWS
+        || most_m - least_m < FROZEN_DEPTHS * most_m
+        || rows.iter().flat_map(|reading| weights(reading)).any(|weight| weight != first)
+    {
+        return None;
+    }
+    let names: Vec<&str> = CHANNELS
+        .iter()
+        .filter(|channel| channel.dimension == Dimension::Force)
+        .filter(|channel| rows.iter().any(|reading| (channel.get)(reading).is_some()))
+        .map(|channel| channel.name.trim_end_matches(" weight"))
+        .collect();
+    let weights_are = match &names[..] {
+        [one] => format!("{one} weight is"),
+        [others @ .., last] => format!("{} and {last} weights are", others.join(", ")),
+        [] => return None,
+    };
+    let places: Vec<String> = rows.iter().map(|reading| reading.place.clone()).collect();
+    let sentence = format!(
+        "the {weights_are} {} in all {} rows ({}), with the bit at {} to {}: the sensor seems frozen, \
+         because the hook load changes with the depth of the bit; leave these weights out, or \
+         read another channel",
+        formatted(&CHANNELS[PICK_UP], first, units),
+        rows.len(),
+        row_names(&places),
+        Quantity::depth(least_m),
+        Quantity::depth(most_m),
+    );
+    // A single column may be rounded to steps as coarse as its changes.
+    let severity = if names.len() > 1 { Severity::Error } else { Severity::Warning };
+    let check = ReadingCheck::new(CheckKind::NoReadings, severity, sentence);
+    Some(check.numbers([Some(first), None]).on(places).in_units(units))
 }

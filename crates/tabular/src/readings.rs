@@ -55,7 +55,7 @@ pub struct ImportedReading {
     /// The case to which it belongs, if there are several.
     pub case: Option<String>,
     /// Whether it is excluded from calibration and only compared with its result: its `use` is
-    /// "no".
+    /// "no", "false" or 0.
     pub held_out: bool,
     /// Keys of the case that its row changes, each with its value and unit.
     pub keys: Vec<(String, String)>,
@@ -102,6 +102,7 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Ta
             let kind = TableErrorKind::ShortRow { found: row.cells.len(), expected };
             return Err(table.source.error(kind, Some(whole(row))));
         }
+        table.check_width(row, &layout.header, |index| layout.is_of_numbers(index))?;
         let place = table.source.row_name(whole(row));
         let mut maybe = |column: Column| match layout.column(column) {
             Some(found) if nulls.hold(&reader, row, found, &place) => Ok(None),
@@ -126,8 +127,8 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Ta
         let held_out = match layout.column(Column::Use).map(|found| row.text(found.index)) {
             None | Some("") => false,
             Some(word) => match word.to_ascii_lowercase().as_str() {
-                "yes" => false,
-                "no" => true,
+                "yes" | "y" | "true" | "1" => false,
+                "no" | "n" | "false" | "0" => true,
                 _ => {
                     let kind = TableErrorKind::NotYesNo { found: word.to_owned() };
                     let at =

@@ -288,3 +288,18 @@ fn a_second_sheet_of_readings_is_named() {
     let note = "readings in sheet 'Well 2' (1 row) are not read";
     assert!(read.notes.iter().any(|own| own == note), "{:?}", read.notes);
 }
+
+/// `3,031` under the last heading without quotation marks.
+#[test]
+fn a_number_cut_at_its_thousands_is_refused() {
+    let text = "Bit depth (ft),Pick-up (klbf),Torque (ft-lbf)\n3000,150,950\n4000,170,3,031\n";
+    let error = read_readings(text.as_bytes(), "a.csv").expect_err("four cells").to_string();
+    assert!(
+        error.contains("line 3, column 10: 4 cells in this row, but the header has 3 columns")
+            && error.contains("'3' and '031' look like one number with thousands"),
+        "{error}"
+    );
+    let more = text.replace("3,031", "3031,,").replace("950", "950,");
+    let read = read_readings(more.as_bytes(), "a.csv").expect("empty cells at the end");
+    assert_eq!(read.readings.len(), 2);
+}

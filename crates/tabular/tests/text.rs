@@ -547,3 +547,46 @@ fn positions_and_slips_are_found() {
     assert!(doubts[0].help.ends_with("is 4.1 a typing error for 41?"), "{}", doubts[0].help);
     assert_eq!(found.places.row_name(doubts[0].index), "line 3");
 }
+
+/// Thousands of a comma that also separates the columns would move all values by a column.
+#[test]
+fn rows_with_more_cells_than_the_header_are_refused() {
+    let refusal = |text: &str| read_csv(text.as_bytes(), "a.csv").expect_err(text).to_string();
+    let split = "MD (ft),Inc,Azi\n0,0,0\n1,000,0,0\n2,000,10,45\n3,000,20,45\n4,000,30,45\n";
+    let error = refusal(split);
+    assert!(
+        error.starts_with(
+            "a.csv, line 3, column 1: 4 cells in this row, but the header has 3 columns: '1' and \
+             '000' look like one number with thousands; numbers with a separator of thousands need \
+             quotation marks, or another separator"
+        ),
+        "{error}"
+    );
+    // A trailing separator of the header does not make room for the rest of a number, nor do
+    // blanks.
+    for text in [
+        split.replace("Azi\n", "Azi,\n"),
+        split.replace("Azi\n", "Azi,Remark\n").replace("1,000,0,0", "1,000,0,0,KOP"),
+        "MD (ft)  Inc  Azi\n0  0  0\n1 000  0  0\n2 000  10  45\n".to_owned(),
+    ] {
+        assert!(refusal(&text).contains("'1' and '000' look like"), "{text}");
+    }
+    let error = refusal("MD (ft),Inc,Azi\n0,0,0\n1000,0,0,9\n2000,10,45\n");
+    assert!(
+        error.starts_with(
+            "a.csv, line 3, column 10: 4 cells in this row, but the header has 3 columns; '9' is \
+             under none of them"
+        ),
+        "{error}"
+    );
+    for text in [
+        "MD (ft),Inc,Azi\n0,0,0,,\n1000,0,0,\n2000,10,45\n",
+        "MD (ft),Inc,Azi\n0,0,0\n1000,1,125,KOP, soft\n2000,10,45\n",
+        "MD (ft),Inc,Azi,\n0,0,0,\n1000,1,125,KOP\n2000,10,45,\n",
+        "MD (ft)  Inc  Azi\n0  0  0\n1000  1  125  KOP\n2000  10  45\n",
+        "MD (ft);Inc;Azi\n0;0;0\n1,000.0;0;0\n2,000;10;45\n",
+        "MD (ft),Inc,Azi\n0,0,0\n\"1,000.0\",1,125\n\"2,000\",10,45\n",
+    ] {
+        assert_eq!(survey(text).stations[2].md_m, 609.6, "{text}");
+    }
+}

@@ -10,7 +10,7 @@ use wholestring_results::{CalibrationSummary, CheckKind, ReadingCheck};
 
 use crate::desk::{Desk, transcript};
 
-const CASE: &str = r#"name = "Base"
+pub(crate) const CASE: &str = r#"name = "Base"
 model = "soft"
 units = "si"
 [well]
@@ -75,7 +75,7 @@ pub(crate) fn file(change: impl Fn(usize, [f64; 5]) -> [f64; 5]) -> String {
     HEAD.to_owned() + &rows.collect::<String>()
 }
 
-fn desk(readings: &str) -> Desk {
+pub(crate) fn desk(readings: &str) -> Desk {
     let desk = Desk::new();
     fs::write(desk.path("base.toml"), CASE).unwrap();
     fs::write(desk.path("r.csv"), readings).unwrap();
@@ -83,7 +83,7 @@ fn desk(readings: &str) -> Desk {
 }
 
 /// Everything that a command printed, on one line.
-fn words(output: &std::process::Output) -> String {
+pub(crate) fn words(output: &std::process::Output) -> String {
     transcript(output).split_whitespace().collect::<Vec<_>>().join(" ")
 }
 

@@ -5,6 +5,7 @@ mod bha;
 mod bit_test;
 mod calibrate;
 mod calibrate_checks;
+mod calibrate_input;
 mod calibrate_misfits;
 mod catalogue;
 mod check;

@@ -99,7 +99,7 @@ pub(super) fn read_log(
     }
     let unit = log.unit(Quantity::HookLoad).unwrap_or(Dimension::Force.unit_in(UnitSet::Si));
     let picked = picking::pick(log.by_ref(), name, unit, &Thresholds::default(), choices);
-    let mut picks = picked.map_err(|error| explained(error, &log.notes))?;
+    let mut picks = picked.map_err(|error| explained(error, &log))?;
     let depth = log.unit(Quantity::BitDepth).or(log.unit(Quantity::HoleDepth));
     if depth.is_some_and(|depth| !depth.is_field()) {
         picks.units = UnitSet::Si;
@@ -112,15 +112,29 @@ pub(super) fn read_log(
     Ok(Fragment { notes, ..fragment })
 }
 
-/// Adds to the error of an incomplete log the channels that might be the missing one and were left
-/// out.
-fn explained(error: ImportError, notes: &[Note]) -> ImportError {
+/// Adds to the error of an incomplete log the channel of the missing quantity, if it has no usable
+/// value, or the channels that might be the missing one and were left out.
+fn explained(error: ImportError, log: &Log) -> ImportError {
     let ImportErrorKind::Refused(sentence) = error.kind() else { return error };
     let is_missing = |quantity: &&Quantity| {
         sentence.contains("is missing")
             && sentence.contains(&format!("--pick {}=", quantity.name()))
     };
     let Some(missing) = Quantity::ALL.iter().find(is_missing) else { return error };
+    if let Some(channel) = log.channels.iter().find(|channel| channel.quantity == Some(*missing)) {
+        let values = match sentence.contains(&format!("of the {}, the first", missing.words())) {
+            true => "values outside the range of any rig",
+            false => "null values, such as -999.25, or empty cells",
+        };
+        let (what, rest) = sentence.split_once(" is missing; ").unwrap_or((sentence, ""));
+        let sentence = format!(
+            "{what} is missing: its channel {} has only {values}; {}",
+            channel.mnemonic,
+            rest.replacen("if a channel has it", "if another channel has it", 1)
+        );
+        return ImportError::new(error.file(), None, ImportErrorKind::Refused(sentence));
+    }
+    let notes = &log.notes;
     let words = format!("is not used as the {}", missing.words());
     let others = |text: &str| text.contains("is not used as the ") && !text.contains(&words);
     let all = || notes.iter().filter(|note| matches!(note, Note::LeftOut(_))).map(Note::text);

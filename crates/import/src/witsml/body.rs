@@ -10,7 +10,7 @@ use super::{
 use crate::{
     error::ImportError,
     fragment::{Block, Note, Origin, Value},
-    pipe::mass_in_range,
+    pipe::{LIGHTEST, body_mass, mass_in_range, other_unit},
 };
 
 /// Diameters that a case accepts, m.
@@ -73,8 +73,17 @@ impl Component<'_> {
                 let number = (mass.unit.from_si(kg_per_m) * 10.0).round() / 10.0;
                 format!("{} {}", number_text(number), mass.unit.symbol)
             };
+            let hint = other_unit((mass.number, mass.unit), diameters_m, STEEL_DENSITY_KG_PER_M3);
             mass_in_range(mass.si(), diameters_m, STEEL_DENSITY_KG_PER_M3, shown)
-                .map_err(|expected| source.out_of_range(mass, "wtPerLen", &expected))?;
+                .map_err(|expected| source.out_of_range(mass, "wtPerLen", &(expected + &hint)))?;
+            let body = body_mass(diameters_m, STEEL_DENSITY_KG_PER_M3);
+            if mass.si() < LIGHTEST * body && !hint.is_empty() {
+                notes.push(Note::Warning(format!(
+                    "the wtPerLen of {label}, {}, is less than its body of steel weighs, {}{hint}",
+                    mass.written,
+                    shown(body)
+                )));
+            }
         }
         push(&mut block, "mass_per_length", mass.as_ref());
         self.weight([od.as_ref(), id.as_ref()], mass.as_ref(), notes);

@@ -317,3 +317,56 @@ fn the_only_depth_of_a_log_of_trips_is_the_bits() {
     assert_pick_ups(&found);
     assert!(found.says("the only depth increases and decreases"), "{:?}", found.notes);
 }
+
+/// The refusal of the trip with one column changed.
+fn refused_with(column: usize, change: impl Fn(f64) -> f64) -> String {
+    let mut rows = rows();
+    rows.iter_mut().for_each(|row| row[column] = change(row[column]));
+    let found = picked_with("trip.las", with_rows(&rows).as_bytes(), &Choices::default());
+    found.err().expect("a log that cannot be picked")
+}
+
+/// The channel is present: the advice to pick one would lead to the same channel.
+#[test]
+fn a_channel_of_null_values_is_named() {
+    for (column, channel, what) in
+        [(1, "DBTM", "the depth of the bit"), (4, "HKLA", "the hook load")]
+    {
+        let text = refused_with(column, |_| -999.25);
+        let expected = format!(
+            "{what} is missing: its channel {channel} has only null values, such as -999.25, or \
+             empty cells; if another channel has it, choose it with --pick"
+        );
+        assert!(text.contains(&expected), "{text}");
+    }
+    let text = refused_with(1, |depth| depth * 1e3);
+    assert!(
+        text.contains("its channel DBTM has only values outside the range of any rig"),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_hook_load_that_never_changes_is_no_reading() {
+    let text = refused_with(4, |_| 0.0);
+    assert!(text.contains("the hook load is 0 throughout; if another channel has"), "{text}");
+    let mut rows = rows();
+    rows.iter_mut().for_each(|row| row[4] = 250.0);
+    let found = picked("trip.las", with_rows(&rows).as_bytes());
+    assert!(
+        found.says("THE HOOK LOAD NEVER CHANGES: it is 250 klbf in all rows"),
+        "{:?}",
+        found.notes
+    );
+    assert!(found.pick_ups_kN.is_empty());
+}
+
+/// Thousands of pounds under pounds; the block weighs 55 klbf.
+#[test]
+fn a_hook_load_in_thousands_is_refused_with_its_unit() {
+    let text = TRIP.replace("HKLA .klbs", "HKLA .lbs");
+    let refused = picked_with("trip.las", text.as_bytes(), &Choices::default());
+    let refused = refused.err().expect("a hook load of pounds");
+    assert!(refused.contains("the hook load shows no string"), "{refused}");
+    assert!(refused.contains("is the hook load in klbf instead of lbf?"), "{refused}");
+}

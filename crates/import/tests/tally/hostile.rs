@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use rust_xlsxwriter::Worksheet;
 use wholestring_import::{Choices, Input, contents, import};
 
-use crate::{components, header, imported, of_bytes, refused, refused_with, saved};
+use crate::{PLAIN, components, header, imported, of_bytes, refused, refused_with, saved};
 
 #[test]
 fn many_rows_and_wide_lines_are_refused_in_time() {
@@ -102,4 +102,14 @@ proptest! {
         let _ = import(vec![Input::of_bytes("a.csv", &bytes)], &Choices::default());
         let _ = contents(Input::of_bytes("a.csv", &bytes));
     }
+}
+
+/// A comma of thousands that also separates the columns would move the weight under another
+/// heading.
+#[test]
+fn a_row_with_more_cells_than_the_header_is_refused() {
+    let cut = PLAIN.replace("2.25,30,99.5", "2.25,1,230,99.5");
+    assert_snapshot!(refused(&cut), @"tally.csv, line 3, column 17: 6 cells in this row, but the header has 5 columns: '1' and '230' look like one number with thousands; numbers with a separator of thousands need quotation marks, or another separator between the columns, such as semicolons");
+    let trailing = PLAIN.replace("99.5", "99.5,,");
+    assert_eq!(components(&imported(&trailing)).len(), 3);
 }

@@ -192,3 +192,20 @@ fn diameters_and_weights_that_no_component_has_are_refused() {
         assert!(message.contains(expected), "{message}");
     }
 }
+
+/// Pounds per foot under kg/m: the body of 5 in by 3 in weighs 63.7 kg/m, a solid bar 99.6 kg/m.
+#[test]
+fn a_weight_in_pounds_under_kilograms_is_warned_of_with_its_unit() {
+    let hint = "; if lb/ft was meant, correct the unit";
+    let of = |mass: &str| {
+        tubular(&component("drill collar", "", &format!("<wtPerLen {mass}</wtPerLen>")))
+    };
+    let text = text_of(&of("uom='kg/m'>49.3"));
+    let warning = format!("is less than its body of steel weighs, 63.7 kg/m{hint}");
+    let text = text.lines().map(|line| line.trim_start_matches(['#', ' '])).collect::<Vec<_>>();
+    let text = text.join(" ");
+    assert!(text.contains(&warning), "{text}");
+    assert!(!text_of(&of("uom='lbm/ft'>49.3")).contains(hint));
+    let heavy = refusal(&of("uom='lbm/ft'>73.4"));
+    assert!(heavy.contains("; if kg/m was meant, correct the unit"), "{heavy}");
+}

@@ -14,8 +14,8 @@ pub enum CalibrationError {
     Twice(Parameter, Parameter),
     /// More parameters than readings.
     #[error(
-        "{readings} readings cannot determine {parameters} numbers: give more readings, or fit \
-         fewer numbers"
+        "{} cannot determine {}: give more readings, or fit fewer numbers",
+        counted(*.readings, "reading"), counted(*.parameters, "number")
     )]
     TooFew {
         /// Number of readings.
@@ -95,6 +95,11 @@ pub enum CalibrationError {
         /// Measured depth of the bit, m.
         bit_depth_m: f64,
     },
+}
+
+/// A count with its noun: `1 reading`, `2 readings`.
+fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }
 
 /// Parameters in words: `the block weight`, `the friction factor and the block weight`.

@@ -12,6 +12,7 @@ mod tables;
 mod toml;
 
 pub use crate::readings::NamedCase;
+pub(crate) use checks::{of_comparison, sentences};
 pub use dynamic::CheckDynamics;
 pub use option::Fit;
 pub use toml::{FRAGMENT, changes};
@@ -102,6 +103,12 @@ pub fn run(
     let mut data = readings::read(request.data, &bytes, request.cases)?;
     let units = request.units.unwrap_or(first.case.units);
     let name = request.data.display().to_string();
+    if data.readings.is_empty() {
+        return Err(Error::BadInput(format!(
+            "{name}: no row is used, because `use` is \"no\" in every row that has a reading; write \
+             \"yes\" in the rows to fit"
+        )));
+    }
     let first_settings = settings(&request.fit, request.cases, &data)?;
     checks::by_string(&name, &mut data, &first_settings, units, cancellation)?;
     // Determined again, because the readings that were left out may be the only ones of a part of

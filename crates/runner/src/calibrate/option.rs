@@ -140,17 +140,19 @@ fn dimension_of(parameter: Parameter) -> Option<Dimension> {
     }
 }
 
+/// Name of a parameter in options: without the unit, which the value has.
+pub(super) fn name(parameter: Parameter) -> &'static str {
+    parameter.name().trim_end_matches("_N_m").trim_end_matches("_N")
+}
+
 /// The parameter with this name, with or without its unit.
-fn parameter(name: &str) -> Result<Parameter, String> {
-    // Without the unit, which the value has.
-    let short =
-        |parameter: Parameter| parameter.name().trim_end_matches("_N_m").trim_end_matches("_N");
+fn parameter(text: &str) -> Result<Parameter, String> {
     let parameter = Parameter::ALL
         .into_iter()
-        .find(|parameter| parameter.name() == name || short(*parameter) == name);
+        .find(|parameter| [parameter.name(), name(*parameter)].contains(&text));
     parameter.ok_or_else(|| {
-        let names: Vec<&str> = Parameter::ALL.into_iter().map(short).collect();
-        format!("there is no parameter '{name}'; expected one of {}", names.join(", "))
+        let names: Vec<&str> = Parameter::ALL.into_iter().map(name).collect();
+        format!("there is no parameter '{text}'; expected one of {}", names.join(", "))
     })
 }
 

@@ -105,7 +105,8 @@ fn depths(data: &Readings, count: usize) -> Vec<(usize, f64)> {
         let (most, setup) = depths.fold((0.0, 0), |a, b| if b.0 > a.0 { b } else { a });
         (least, most, setup)
     };
-    let spans: Vec<_> = cases.into_iter().map(span).collect();
+    // A case may have only rows that are not used.
+    let spans: Vec<_> = cases.into_iter().map(span).filter(|span| span.0 <= span.1).collect();
     let deepest = spans.iter().map(|span| span.1).fold(0.0, f64::max);
     let grid = |&(from, to, setup): &(f64, f64, usize)| {
         let to = if to == deepest { readings::deepest_m(&data.assemblies[setup]) } else { to };

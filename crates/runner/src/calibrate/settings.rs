@@ -49,14 +49,12 @@ pub(super) fn settings(
         parameters.extend(parameters.iter().map(around).collect::<Vec<_>>());
     }
     let weighs = data.readings.iter().any(|reading| !reading.channel.is_torque());
-    let known = case.model.rig.block_weight_N;
-    if weighs && (fit.block_weight || known.is_none()) {
+    if weighs && (fit.block_weight || case.model.rig.block_weight_N.is_none()) {
         parameters.push(Parameter::BlockWeight);
     }
     if fit.bit_torque {
         parameters.push(Parameter::BitTorque);
     }
-    let drills = case.operations.iter().find(|operation| operation.kind == OperationKind::Drill);
     let [along, around] = frictions(case);
     // Sections that no reading reaches keep the value of the case.
     let mut own = [None; MOST_SECTIONS];
@@ -66,20 +64,9 @@ pub(super) fn settings(
             *own = Some([friction.kinetic, friction.kinetic * friction.around]);
         }
     }
-    let mut settings = Settings::new(
-        parameters,
-        State {
-            factors: Factors {
-                cased: along[0],
-                open: along[1],
-                cased_around: around[0],
-                open_around: around[1],
-                sections: own,
-            },
-            block_weight_N: known.unwrap_or(0.0),
-            bit_torque_N_m: drills.map_or(0.0, |drill| drill.bit_torque_N_m),
-        },
-    );
+    let mut held = of_case(case);
+    held.factors.sections = own;
+    let mut settings = Settings::new(parameters, held);
     let ratio = |[along, around]: [f64; 2]| if along > 0.0 { around / along } else { 1.0 };
     settings.around_ratio = AroundRatio {
         walls: [0, 1].map(|wall| ratio([along[wall], around[wall]])),
@@ -88,17 +75,17 @@ pub(super) fn settings(
     for (parameter, value) in &fit.hold {
         if !settings.parameters.contains(parameter) {
             let names =
-                settings.parameters.iter().map(|parameter| parameter.name()).collect::<Vec<_>>();
+                settings.parameters.iter().map(|other| option::name(*other)).collect::<Vec<_>>();
             return Err(Error::BadInput(format!(
                 "{} is not a parameter of this fit and cannot be kept fixed; its parameters are {}",
-                parameter.name(),
+                option::name(*parameter),
                 names.join(", ")
             )));
         }
         option::in_range(*parameter, *value).map_err(|expected| {
             Error::BadInput(format!(
                 "{} = {value} cannot be kept fixed: {expected}",
-                parameter.name()
+                option::name(*parameter)
             ))
         })?;
         settings.hold(*parameter, *value);
@@ -107,6 +94,31 @@ pub(super) fn settings(
     settings.outlier_beyond = fit.outlier_beyond;
     settings.band_confidence = fit.band_confidence;
     Ok(settings)
+}
+
+/// Settings with which readings are compared and no friction is fitted: only a block weight that
+/// the case does not give is free.
+pub(super) fn of_comparison(case: &Case) -> Settings {
+    let is_free = case.model.rig.block_weight_N.is_none();
+    let parameters = is_free.then_some(Parameter::BlockWeight).into_iter().collect();
+    Settings::new(parameters, of_case(case))
+}
+
+/// Friction of casing and open hole, block weight and torque on bit as the case gives them.
+fn of_case(case: &Case) -> State {
+    let drills = case.operations.iter().find(|operation| operation.kind == OperationKind::Drill);
+    let [along, around] = frictions(case);
+    State {
+        factors: Factors {
+            cased: along[0],
+            open: along[1],
+            cased_around: around[0],
+            open_around: around[1],
+            sections: [None; MOST_SECTIONS],
+        },
+        block_weight_N: case.model.rig.block_weight_N.unwrap_or(0.0),
+        bit_torque_N_m: drills.map_or(0.0, |drill| drill.bit_torque_N_m),
+    }
 }
 
 /// Number of sections of the hole, which is the same in all cases.

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use wholestring::{operation::Operation, well::FrictionLevel};
 use wholestring_case::Measured as Measurements;
+use wholestring_judge::Severity;
 use wholestring_plan::{
     Broomstick, BroomstickTask,
     calibration::{Assembly, Channel, Reading},
@@ -11,7 +12,10 @@ use wholestring_results::{PlanMeasured, PlanPoint};
 
 use super::{request::Request, rows::points};
 use crate::{
+    calibrate,
+    cancellation::CancellationToken,
     error::Error,
+    observer::Observer,
     readings::{self, NamedCase, Readings},
 };
 
@@ -44,8 +48,16 @@ fn operation(assembly: &Assembly, reading: &Reading) -> Operation {
 }
 
 impl Measured {
-    /// The measurements of the plan's file; empty if it has none.
-    pub(super) fn of(request: &Request<'_>) -> Result<Self, Error> {
+    /// The measurements of the plan's file; empty if it has none. They are checked as a calibration
+    /// checks its readings, and its warnings are passed to the observer.
+    ///
+    /// # Errors
+    /// A row that belongs to no string, or a column in another unit than that of its heading.
+    pub(super) fn of(
+        request: &Request<'_>,
+        observer: &dyn Observer,
+        cancellation: &CancellationToken,
+    ) -> Result<Self, Error> {
         let case = request.case;
         let Some(measured) = &case.plan.measured else { return Ok(Self::default()) };
         let named = NamedCase {
@@ -54,8 +66,14 @@ impl Measured {
             overrides: request.overrides,
             case,
         };
-        let Measurements { file, readings, half_digit_m, .. } = measured;
+        let Measurements { file, readings, half_digit_m, units, .. } = measured;
         let readings = readings::of_rows(file, readings, *half_digit_m, &[named])?;
+        let mut readings = Readings { units: *units, ..readings };
+        let shown_in = request.units.unwrap_or(case.units);
+        calibrate::of_comparison(file, &mut readings, case, shown_in, cancellation)?;
+        for warning in calibrate::sentences(&readings.checks, Severity::Warning) {
+            observer.warning(&format!("{file}: {warning}"));
+        }
         let of_string = |assembly: &Assembly| {
             let plan = &case.plan;
             let models = plan.models.clone();

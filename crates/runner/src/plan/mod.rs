@@ -58,7 +58,7 @@ pub fn run(
 ) -> Result<Outcome, Error> {
     let case = request.case;
     let broomstick = case.broomstick().map_err(Error::failed)?;
-    let measured = Measured::of(request)?;
+    let measured = Measured::of(request, observer, cancellation)?;
     let read = case.plan.measured.as_ref();
     let identity = digest(&(
         case.identity(),

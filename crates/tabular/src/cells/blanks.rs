@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::cells::number;
-use crate::cells::table::{Cell, Position, Row, Source, Table, line_starts};
+use crate::cells::table::{BLANKS, Cell, Position, Row, Source, Table, line_starts};
 
 /// Number of lines above the numbers that may contain headings.
 const HEADING_LINES: usize = 8;
@@ -74,7 +74,7 @@ pub(crate) fn cut_from<'a>(source: Source<'a>, text: &'a str, from: usize) -> Ta
     });
     let notes = note.into_iter().collect();
     let counted = first.is_some().then_some(columns.len());
-    Table { source, rows, parted_by: Some("blanks"), counted, notes }
+    Table { source, rows, parted_by: Some(BLANKS), counted, notes }
 }
 
 /// The words of a line, with bracketed text as one word.

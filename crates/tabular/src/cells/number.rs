@@ -163,6 +163,16 @@ pub(crate) fn is_number(text: &str) -> bool {
     read(text, Style::Point).is_ok() || read(text, Style::Comma).is_ok()
 }
 
+/// Whether two adjacent cells look like one number that was cut at its separator of thousands: `1`
+/// and `000`, `-12` and `500.5`.
+pub(crate) fn is_cut_at_thousands(before: &str, rest: &str) -> bool {
+    let digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    let before = before.trim_start_matches(['+', '-', '−']);
+    let (group, fraction) = rest.split_once(['.', ',']).unwrap_or((rest, ""));
+    let leads = (1..=3).contains(&before.len()) && !before.starts_with('0') && digits(before);
+    leads && group.len() == 3 && digits(group) && digits(fraction)
+}
+
 /// Digits without the signs between groups of three; the text itself if it has no such groups.
 fn without_groups(whole: &str, separators: &[char]) -> String {
     let Some(separator) = whole.chars().find(|c| separators.contains(c)) else {

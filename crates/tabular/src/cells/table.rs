@@ -1,6 +1,10 @@
 //! A file as rows of cells with their positions.
 
+use crate::cells::number;
 use crate::error::{Place, TableError, TableErrorKind};
+
+/// Separator of the cells of a text in columns separated by blanks, in words.
+pub(crate) const BLANKS: &str = "blanks";
 
 /// Position of a cell in its file: the range of bytes of a text, or row and column of a sheet, from
 /// 0. Its [`Source`] determines which of the two it is.
@@ -99,6 +103,49 @@ impl Table<'_> {
             }
             None => Ok(()),
         }
+    }
+
+    /// Checks that a row of data has no more cells than the header has columns: a separator of
+    /// thousands that also separates cells moves every value after it into another column. Empty
+    /// cells at the end do not count. Cells of a workbook are in their columns in any case.
+    /// `is_of_numbers` is whether the column at an index is one of numbers.
+    ///
+    /// # Errors
+    /// The first cell beyond the columns, or the number that was probably cut.
+    pub(crate) fn check_width(
+        &self,
+        row: &Row,
+        header: &[String],
+        is_of_numbers: impl Fn(usize) -> bool,
+    ) -> Result<(), TableError> {
+        let Some(sign) = self.parted_by else { return Ok(()) };
+        let end = |filled: Option<usize>| filled.map_or(0, |last| last + 1);
+        let headed = end(header.iter().rposition(|text| !text.is_empty()));
+        let expected = headed.max(self.counted.unwrap_or(0));
+        let found = end(row.cells.iter().rposition(|cell| !cell.is_empty()));
+        if headed == 0 || found <= expected {
+            return Ok(());
+        }
+        let beyond = row.cells[expected..found].iter().filter(|cell| !cell.is_empty());
+        let first = beyond.clone().next().unwrap_or(&row.cells[found - 1]);
+        let mut pairs = row.cells[..found].windows(2);
+        let split = pairs.find(|pair| number::is_cut_at_thousands(&pair[0].text, &pair[1].text));
+        // Text behind the numbers of a row is a remark: in a column of the header without a heading,
+        // after columns separated by blanks, or next to the last column if that is one of numbers.
+        let is_number = |cell: &Cell| number::is_number(&cell.text);
+        let is_remark = !beyond.clone().any(is_number) && is_of_numbers(expected - 1);
+        let may_be_remark = found <= header.len() || sign == BLANKS;
+        if is_remark || (may_be_remark && (split.is_none() || !beyond.clone().all(is_number))) {
+            return Ok(());
+        }
+        let kind = TableErrorKind::LongRow {
+            found,
+            expected,
+            first: first.text.clone(),
+            split: split.map(|pair| [0, 1].map(|place: usize| pair[place].text.clone())),
+        };
+        let at = split.map_or(first.at, |pair| pair[0].at);
+        Err(self.source.error(kind, Some(at)))
     }
 
     /// A note on an item found, and on the separator of cells.

@@ -33,6 +33,11 @@ impl Layout {
     pub(crate) fn column(&self, column: Column) -> Option<&Found> {
         self.columns.iter().find(|found| found.column == column)
     }
+
+    /// Whether a column of numbers is at this index.
+    pub(crate) fn is_of_numbers(&self, index: usize) -> bool {
+        self.columns.iter().any(|found| found.index == index && !found.column.is_words())
+    }
 }
 
 /// Determines the layout below a header: its units, and the beginning of the numbers.

@@ -155,6 +155,7 @@ fn station(
         let kind = TableErrorKind::ShortRow { found: row.cells.len(), expected };
         return Err(source.error(kind, Some(whole(row))));
     }
+    reader.table.check_width(row, &layout.header, |index| layout.is_of_numbers(index))?;
     let md_m = reader.value(row, depth)?;
     if !(0.0..=DEEPEST_M).contains(&md_m) {
         return Err(reader.out_of_range(row, depth, "0 to 100 km"));

@@ -4,7 +4,7 @@ use wholestring_units::Unit;
 
 use super::{
     cell::{self, holds},
-    header::{Found, Header, find},
+    header::{Found, Header, find, unit_of},
     imported::{ImportedTally, TallyCell, TallyRow, TallyTotal},
     layout::{self, Laid, Layout, Lines},
 };
@@ -12,7 +12,7 @@ use crate::{
     cells::{
         limits::too_much,
         number::{self, Style},
-        table::{Cell, Row, Source, Table},
+        table::{Cell, Position, Row, Source, Table},
     },
     columns::column::Column,
     error::{TableError, TableErrorKind},
@@ -60,6 +60,12 @@ fn below(table: &Table, header: &Header, layout: &Layout) -> Result<ImportedTall
             }
             continue;
         }
+        if kind == Kind::Component {
+            let is_of_numbers = |index: usize| {
+                layout.columns.iter().any(|laid| laid.index == index && !laid.column.is_words())
+            };
+            table.check_width(row, &header.texts, is_of_numbers)?;
+        }
         let mut cells = Vec::new();
         for laid in &layout.columns {
             // Only the length of a sum is used, and it may have other columns than the rows.
@@ -77,7 +83,15 @@ fn below(table: &Table, header: &Header, layout: &Layout) -> Result<ImportedTall
                 }),
                 Ok(None) => {}
                 Err(_) if kind == Kind::Total => {}
-                Err(error) => return Err(table.source.error(error, Some(found.at))),
+                Err(error) => {
+                    let at = match error {
+                        TableErrorKind::MissingReadingUnit { .. } => {
+                            place_of_unit(table, (header, layout), laid, found)
+                        }
+                        _ => found.at,
+                    };
+                    return Err(table.source.error(error, Some(at)));
+                }
             }
         }
         if kind == Kind::Total {
@@ -109,6 +123,22 @@ fn below(table: &Table, header: &Header, layout: &Layout) -> Result<ImportedTall
         Source::Text { .. } => None,
     };
     Ok(ImportedTally { sheet, rows, totals, notes, left_out })
+}
+
+/// Where a column lacks its unit: the heading, or the cell if other cells have a unit of their own.
+fn place_of_unit(
+    table: &Table,
+    (header, layout): (&Header, &Layout),
+    laid: &Laid,
+    cell: &Cell,
+) -> Position {
+    let rows = &table.rows[layout.data.min(table.rows.len())..];
+    let has_own = rows.iter().any(|row| {
+        let (_, rest) = cell::part(row.text(laid.index));
+        unit_of(laid.column, rest).is_some()
+    });
+    let heading = table.rows[header.row].cells.get(laid.index);
+    heading.filter(|_| !has_own).map_or(cell.at, |heading| heading.at)
 }
 
 /// Kind of row.

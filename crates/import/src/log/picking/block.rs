@@ -131,6 +131,21 @@ impl BlockWeight {
         self.slips_N.unwrap_or(self.weight_N)
     }
 
+    /// Hint at the unit of hook loads that are too small for any string; empty if there is none.
+    /// The hook load in slips shows it if it would be the block's weight in that unit.
+    pub(super) fn other_unit(&self, beginning: &Beginning, unit: &Unit) -> String {
+        /// Hook load that any string with its block exceeds, N.
+        const LEAST_N: f64 = 2e4;
+        let by_slips = self.slips_N.and_then(|slips_N| other_unit(self.weight_N / slips_N, unit));
+        let is_small = beginning.heavy_N < LEAST_N;
+        match by_slips.or_else(|| other_unit(1000.0, unit).filter(|_| is_small)) {
+            Some(other) => {
+                format!("; is the hook load in {} instead of {}?", other.symbol, unit.symbol)
+            }
+            None => String::new(),
+        }
+    }
+
     fn shown_added(&self, unit: &Unit) -> String {
         shown(self.added_N(), unit)
     }

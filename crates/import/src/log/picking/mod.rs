@@ -86,6 +86,12 @@ pub fn pick(
     first.iter_mut().for_each(|row| depths.give(row));
     let log = Beginning { tells_bottom: depths.tells_bottom(), ..Beginning::of(&first) };
     check(&log, limits).map_err(|kind| at(with_outside(kind, &clock.outside, units)))?;
+    let unchanged_N = unchanged_N(&first);
+    if unchanged_N == Some(0.0) {
+        let sentence = "the hook load is 0 throughout; if another channel has the hook load, \
+                        choose it with --pick hookload=CHANNEL";
+        return Err(at(ImportErrorKind::Refused(sentence.to_owned())));
+    }
     let block = BlockWeight::of(choices, &log, unit).map_err(at)?;
     let on_sensor_N = block.on_sensor_N();
     let (part, spreads, least_N) = ON_HOOK;
@@ -95,9 +101,10 @@ pub fn pick(
     if log.heavy_N <= hook_from_N {
         let kind = ImportErrorKind::Refused(format!(
             "the hook load shows no string: nineteen rows in twenty stay below {}, and {} are on \
-             the sensor without a string",
+             the sensor without a string{}",
             block::shown(log.heavy_N, unit),
             block::shown(on_sensor_N, unit),
+            block.other_unit(&log, unit),
         ));
         return Err(at(kind));
     }
@@ -132,6 +139,7 @@ pub fn pick(
         block,
         step_s: log.step_s,
         windows: done.windows,
+        is_unchanged: unchanged_N.is_some(),
         counts,
         overview: done.overview,
         details: done.details,
@@ -187,6 +195,21 @@ fn check(log: &Beginning, limits: &Thresholds) -> Result<(), ImportErrorKind> {
         )));
     }
     Ok(())
+}
+
+/// Travel of the bit, m, over which the load on the hook changes in any log: three stands.
+const TRAVEL_M: f64 = 90.0;
+
+/// The hook load of a log in which it is one number at every depth of the bit, N.
+fn unchanged_N(rows: &[Row]) -> Option<f64> {
+    let span = |value: fn(&Row) -> f64| {
+        let values = || rows.iter().map(value).filter(|value| value.is_finite());
+        (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max))
+    };
+    let (least_N, most_N) = span(|row| row.hook_load_N);
+    let (shallowest_m, deepest_m) = span(|row| row.bit_depth_m);
+    let is_one = least_N == most_N && (deepest_m - shallowest_m > TRAVEL_M || most_N == 0.0);
+    is_one.then_some(most_N)
 }
 
 /// Notes on values outside the range of any sensor.

@@ -13,7 +13,7 @@ use super::{
 use crate::fragment::Note;
 
 /// Number of windows, and the relative change of their weights, from which and up to which a hook
-/// load is one that never changes.
+/// load is one that never changes; fewer windows suffice if no row differs.
 const STUCK_WINDOWS: usize = 6;
 const UNCHANGED: f64 = 1e-6;
 
@@ -29,6 +29,9 @@ pub struct Picks {
     pub step_s: f64,
     /// The best window of each kind of each stand, in log order.
     pub windows: Vec<Window>,
+    /// Whether the hook load is one number in all rows at the beginning of the log, though the bit
+    /// travels.
+    pub(super) is_unchanged: bool,
     /// Counts of rows, stands and windows of the log.
     pub counts: Counts,
     /// Trace of the whole log.
@@ -133,16 +136,19 @@ impl Picks {
         let is_one = weights
             .inspect(|_| count += 1)
             .all(|weight_N| (weight_N - first_N).abs() <= UNCHANGED * first_N.abs());
-        (is_one && count >= STUCK_WINDOWS).then_some(first_N)
+        (is_one && (self.is_unchanged || count >= STUCK_WINDOWS)).then_some(first_N)
     }
 
     fn said_of_sensor(&self) -> Option<Note> {
         let weight = shown(self.stuck_N()?, self.unit);
         Some(Note::Warning(format!(
-            "THE HOOK LOAD NEVER CHANGES: it is {weight} in all {} windows, whether the string goes \
-             up, down or turns, and at every depth; a sensor that does not work gives no reading, \
-             and the weights are left out",
-            self.windows.len()
+            "THE HOOK LOAD NEVER CHANGES: it is {weight} in {}, whether the string goes up, down or \
+             turns, and at every depth; a sensor that does not work gives no reading, and the \
+             weights are left out",
+            match self.windows.len() {
+                _ if self.is_unchanged => "all rows".to_owned(),
+                count => format!("all {count} windows"),
+            }
         )))
     }
 

@@ -1,7 +1,5 @@
 //! Mass of a component of a tally.
 
-use std::f64::consts::FRAC_PI_4;
-
 use wholestring::string::{
     Material,
     catalogue::{CatalogueEntry, nominal_pipe},
@@ -17,14 +15,11 @@ use super::{
 use crate::{
     error::ImportErrorKind,
     fragment::{Note, Origin, Value},
-    pipe::mass_in_range,
+    pipe::{LIGHTEST, body_mass, mass_in_range, other_unit},
 };
 
 /// Standard gravity, m/s²; converts a weight as a force to a mass.
 const GRAVITY_M_PER_S2: f64 = 9.80665;
-
-/// Mass over that of a steel body below which a component is not steel.
-const LIGHTEST: f64 = 0.9;
 
 /// Relative difference below which two weights of one component agree.
 const AGREES: f64 = 0.02;
@@ -99,8 +94,6 @@ pub(crate) fn of(
     };
     let mass = value.si().unwrap_or_default();
     let density = body.density_kg_per_m3.unwrap_or(STEEL_DENSITY_KG_PER_M3);
-    let ring = |od_m: f64, id_m: f64| density * FRAC_PI_4 * (od_m.powi(2) - id_m.powi(2));
-    let steel = ring(body.od_m, body.id_m);
     let found = format!("{} of '{}'", shown(&value), part.name);
     let mass_unit = match &value {
         Value::Quantity { unit, .. } => unit,
@@ -119,15 +112,20 @@ pub(crate) fn of(
         Err((Some(place.clone()), kind))
     };
     let diameters_m = [body.od_m, body.id_m, body.joint_od_m.unwrap_or(body.od_m)];
+    let steel = body_mass(diameters_m, density);
+    let hint = match value {
+        Value::Quantity { number, unit } => other_unit((number, unit), diameters_m, density),
+        _ => String::new(),
+    };
     if let Err(expected) = mass_in_range(mass, diameters_m, density, kg) {
         let is_bar = body.has_blades && expected.contains("solid bar");
         let blades = if is_bar { ", its blades not counted" } else { "" };
-        return refused(expected + blades);
+        return refused(expected + blades + &hint);
     }
     if mass < LIGHTEST * steel {
         notes.push(Note::Warning(format!(
             "{found} is less than its body of {} weighs, {}: if its metal is lighter, give its \
-             density too",
+             density too{hint}",
             if body.density_kg_per_m3.is_some() { "this metal" } else { "steel" },
             kg(steel)
         )));

@@ -211,8 +211,19 @@ pub(super) fn below(data: &mut Readings, trial: &Trial) -> Vec<ReadingCheck> {
     checks
 }
 
-/// Reports a hole with so little side force that friction has no effect on the readings.
+/// Reports readings on which friction has no effect: rotating weights alone, which do not depend on
+/// axial friction, or a hole with too little side force.
 pub(super) fn no_friction(data: &Readings, trial: &Trial) -> Option<ReadingCheck> {
+    if let Some(first) = data.readings.first()
+        && data.readings.iter().all(|reading| reading.channel == Channel::Rotating)
+    {
+        let sentence = "the readings are rotating weights alone, on which friction has no effect: \
+                        a string that turns off bottom has no axial friction. Give pick-up or \
+                        slack-off weights or torques too; or keep every friction factor fixed \
+                        (`--hold`) and fit the block weight alone (`--block-weight`)";
+        let check = ReadingCheck::new(CheckKind::NoFriction, Severity::Error, sentence.to_owned());
+        return Some(check.numbers([Some(0.0), Some(first.value)]));
+    }
     let change = |row: usize| {
         let reading = &data.readings[row];
         let change = (trial.load(row, MOST) - trial.load(row, 0.0)).abs();

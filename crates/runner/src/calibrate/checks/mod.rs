@@ -11,13 +11,15 @@ mod text;
 mod trial;
 mod units;
 
+use wholestring_case::Case;
 use wholestring_judge::{CheckKind, ReadingCheck, Severity};
-use wholestring_plan::calibration::Settings;
+use wholestring_plan::calibration::{Channel, Settings};
 use wholestring_units::UnitSet;
 
 pub(super) use found::of_fit;
 pub(super) use text::{median, shown, warning};
 
+use super::settings;
 use crate::{
     cancellation::CancellationToken,
     error::Error,
@@ -62,6 +64,43 @@ pub(super) fn by_string(
     Ok(())
 }
 
+/// Checks the readings that a plan is compared with, as a calibration does, except that the hole may
+/// be too straight for friction to have an effect, and with the rows that a fit does not use.
+///
+/// # Errors
+/// Columns in another unit, or too few valid readings.
+pub(crate) fn of_comparison(
+    name: &str,
+    data: &mut Readings,
+    case: &Case,
+    units: UnitSet,
+    cancellation: &CancellationToken,
+) -> Result<(), Error> {
+    let held_out = std::mem::take(&mut data.held_out);
+    let held_out_places = std::mem::take(&mut data.held_out_places);
+    let held_out: Vec<(Channel, String)> = held_out
+        .into_iter()
+        .zip(held_out_places)
+        .map(|(reading, place)| {
+            data.readings.push(reading);
+            data.places.push(place.clone());
+            (reading.channel, place)
+        })
+        .collect();
+    by_string(name, data, &settings::of_comparison(case), units, cancellation)?;
+    let readings = std::mem::take(&mut data.readings);
+    for (reading, place) in readings.into_iter().zip(std::mem::take(&mut data.places)) {
+        let key = (reading.channel, place);
+        let (readings, places) = match held_out.contains(&key) {
+            true => (&mut data.held_out, &mut data.held_out_places),
+            false => (&mut data.readings, &mut data.places),
+        };
+        readings.push(reading);
+        places.push(key.1);
+    }
+    Ok(())
+}
+
 /// The readings with their depths multiplied by a factor; `None` if one is not in its hole then.
 fn scaled(data: &Readings, factor: f64) -> Option<Readings> {
     let mut scaled = data.clone();
@@ -93,7 +132,7 @@ pub(super) fn recorded(checks: &[ReadingCheck]) -> Vec<ReadingCheck> {
 }
 
 /// The sentences of one severity.
-pub(super) fn sentences(checks: &[ReadingCheck], severity: Severity) -> Vec<String> {
+pub(crate) fn sentences(checks: &[ReadingCheck], severity: Severity) -> Vec<String> {
     let checks = checks.iter().filter(|check| check.check.severity == severity);
     checks.map(|check| check.check.sentence.clone()).collect()
 }
