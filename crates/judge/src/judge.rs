@@ -43,6 +43,16 @@ pub struct Judge {
 /// near lock-up.
 const NEAR_LOCK_UP: f64 = 1.2;
 
+/// Behaviour of a string in static equilibrium after a small disturbance, friction and torque
+/// apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Disturbed {
+    /// Whether it stays where it is, its tool face held.
+    pub keeps_its_shape: bool,
+    /// Whether a bent string that does not rotate turns away from its tool face.
+    pub leaves_its_tool_face: bool,
+}
+
 /// Depth that an operation reaches.
 #[derive(Debug, Clone, Copy)]
 pub struct Reached<'a> {
@@ -185,10 +195,12 @@ impl Judge {
         model: &Model,
         operation: &Operation,
         profile: &SoftProfile,
-        is_stable: bool,
+        disturbed: Disturbed,
     ) -> Checks {
         let bows = bows_in_vertical_hole(model, operation, Solution::from(profile).profile);
-        let checks = numerics::unstable(is_stable, bows).into_iter().collect();
+        let mut checks: Vec<Check> =
+            numerics::unstable(disturbed.keeps_its_shape, bows).into_iter().collect();
+        checks.extend(numerics::unstable_tool_face(disturbed.leaves_its_tool_face));
         let words = Words::of_loads(&model.rig, f64::NAN);
         self.with_sentences(Checks { checks, unchecked: Vec::new() }, &words)
     }

@@ -49,7 +49,7 @@ pub use check::{Check, Severity, Verdict};
 pub use checks::Checks;
 pub use depth_limit::DepthLimit;
 pub use descent::Descent;
-pub use judge::{Judge, Reached};
+pub use judge::{Disturbed, Judge, Reached};
 pub use kind::CheckKind;
 pub use motion::{stick_slip_severity, top_drive_severity, whirl_severity};
 pub use overall::Overall;

@@ -56,6 +56,16 @@ pub fn unstable(is_stable: bool, bows_in_vertical_hole: bool) -> Option<Check> {
     (!is_stable).then(|| Check::reported(CheckKind::UnstableEquilibrium, severity))
 }
 
+/// Reports a tool face that a bent string would leave without friction: the motion has no natural
+/// frequency, and the numbers of the torsional modes begin after it.
+pub fn unstable_tool_face(leaves: bool) -> Option<Check> {
+    let check = Check::reported(CheckKind::UnstableEquilibrium, Severity::Warning);
+    let sentence = "The tool face is not stable: without friction, weight and wall would turn the \
+        bent assembly away from it. This torsional motion grows instead of vibrating and has no \
+        frequency; torsional mode 1 is the lowest one that vibrates";
+    leaves.then(|| check.worded(sentence.to_owned()))
+}
+
 /// Reports the penetration of the wall in static equilibrium, m, and its measured depth.
 pub fn penetration_at_rest(model: &Model, [deepest_m, md_m]: [f64; 2]) -> Option<Check> {
     Some(penetration(mean_clearance_m(model), deepest_m)?.at(md_m))

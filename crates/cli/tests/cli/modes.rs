@@ -200,3 +200,73 @@ fn no_answer_is_said_as_elsewhere() {
         assert_eq!(own.lines().next(), run.lines().next());
     }
 }
+
+/// A slim bent motor in a lateral. Tripping out without rotation it would turn away from its tool
+/// face: a warning says that this motion has no frequency, and the numbers of the others begin
+/// after it. Rotating it has the torsional modes of a straight string.
+#[test]
+fn an_unstable_tool_face_has_a_warning_and_no_frequency() {
+    let desk = Desk::new();
+    fs::write(desk.path("lateral.toml"), LATERAL).unwrap();
+    let modes = |more: &[&str]| {
+        let few = ["modes", "lateral.toml", "--set", "modes.count=2", "-o", "out", "--overwrite"];
+        let output = desk.done(&[&few[..], more].concat());
+        let summary = ModesSummary::read(&desk.path("out/summary.json")).unwrap();
+        let stdout = String::from_utf8(output.stdout).unwrap();
+        let shown = stdout + &String::from_utf8(output.stderr).unwrap();
+        assert!(!shown.contains(" inf ") && !shown.contains(" 0.0000 "), "{shown}");
+        assert!(summary.modes.iter().all(|mode| mode.frequency_Hz > 0.0));
+        let torsional = summary.modes.iter().filter(|mode| mode.family == "torsional");
+        (torsional.map(|mode| mode.frequency_Hz).collect::<Vec<_>>(), summary.checks, shown)
+    };
+    let (straight, ..) = modes(&["--operation", "trip_out", "--set", "string.1.bend=0deg"]);
+    let (tripping, checks, shown) = modes(&["--operation", "trip_out"]);
+    assert!(straight[0] < tripping[0] && tripping[0] < straight[1], "{tripping:?}");
+    let sentence = &checks.first().expect("a check").sentence;
+    assert!(sentence.starts_with("The tool face is not stable"), "{sentence}");
+    assert!(shown.contains("unstable modes have no frequency"), "{shown}");
+    let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
+    assert!(page.contains("The tool face is not stable"));
+    let (rotating, checks, _) = modes(&["--operation", "rotate_off_bottom"]);
+    assert!(checks.is_empty(), "{checks:?}");
+    for (rotating, straight) in rotating.iter().zip(&straight) {
+        assert!((rotating / straight - 1.0).abs() < 2e-4, "{rotating} for {straight}");
+    }
+}
+
+const LATERAL: &str = r#"
+[well]
+stations = [[0, 0, 180], [1800, 0, 180], [2100, 90, 180], [5100, 90, 180]]
+hole = [{ kind = "open", to = "5100 m", diameter = "155.575 mm", friction = 0.3 }]
+
+[mud]
+density = "1.15 sg"
+
+[[string]]
+component = "bit"
+od = "155.575 mm"
+length = "0.25 m"
+
+[[string]]
+component = "motor"
+od = "4-3/4 in"
+id = "2-1/4 in"
+length = "8 m"
+bend = "1.5 deg"
+bend_at = "1.5 m"
+
+[[string]]
+component = "MWD"
+od = "4-3/4 in"
+id = "2-1/4 in"
+length = "18 m"
+
+[[string]]
+component = "drill pipe"
+catalogue = "4 in 14.00 lb/ft S-135"
+length = "to surface"
+
+[operation]
+kind = ["trip_out", "rotate_off_bottom"]
+rpm = 60
+"#;

@@ -8,7 +8,7 @@ use wholestring::{
         stiff::{self, StiffSettings},
     },
 };
-use wholestring_judge::{CheckKind, Checks, Judge, Severity};
+use wholestring_judge::{CheckKind, Checks, Disturbed, Judge, Severity};
 
 use crate::{
     common::{arcs, model, mud, open_hole, pressing, rpm, steel},
@@ -25,6 +25,10 @@ fn well(inclination_deg: f64) -> Model {
         tool("drill pipe", ToSurface, 0.127, 0.1086),
     ];
     model(path, open_hole(0.2159, 0.3, 300.0), components, mud(1100.0), 300.0)
+}
+
+const fn disturbed(keeps_its_shape: bool, leaves_its_tool_face: bool) -> Disturbed {
+    Disturbed { keeps_its_shape, leaves_its_tool_face }
 }
 
 fn drills(weight_on_bit_N: f64) -> Operation {
@@ -51,7 +55,7 @@ fn a_bow_in_a_vertical_hole_is_a_note() {
     let soft = soft_string(&model, &operation);
     is_noted(&judge.assembly(&model, &operation, &state, &soft), "static BHA analysis");
     let soft = soft.expect("a profile");
-    is_noted(&judge.small_motions(&model, &operation, &soft, false), "vibration");
+    is_noted(&judge.small_motions(&model, &operation, &soft, disturbed(false, false)), "vibration");
 }
 
 /// An unstable equilibrium for another reason than a bow in a vertical hole is a warning.
@@ -61,10 +65,28 @@ fn another_unstable_equilibrium_is_a_warning() {
         let (model, operation) = (well(inclination_deg), drills(weight_N));
         let soft = soft_string(&model, &operation).expect("a profile");
         let judge = Judge::default();
-        let checks = judge.small_motions(&model, &operation, &soft, false);
+        let checks = judge.small_motions(&model, &operation, &soft, disturbed(false, false));
         let check = only(&checks.checks, CheckKind::UnstableEquilibrium).expect("a check");
         assert_eq!(check.severity, Severity::Warning, "{inclination_deg} deg");
-        let stable = judge.small_motions(&model, &operation, &soft, true);
+        let stable = judge.small_motions(&model, &operation, &soft, disturbed(true, false));
         none(&stable.checks, CheckKind::UnstableEquilibrium);
     }
+}
+
+/// A tool face that the string would leave is a warning of its own, whether or not the string
+/// otherwise stays where it is.
+#[test]
+fn a_tool_face_that_the_string_leaves_is_a_warning() {
+    let (model, operation) = (well(30.0), drills(58.8e3));
+    let soft = soft_string(&model, &operation).expect("a profile");
+    let judge = Judge::default();
+    for (keeps_its_shape, expected) in [(true, 1), (false, 2)] {
+        let checks =
+            judge.small_motions(&model, &operation, &soft, disturbed(keeps_its_shape, true));
+        let checks: Vec<_> = checks.checks.iter().map(|one| (one.severity, one.kind)).collect();
+        assert_eq!(checks, vec![(Severity::Warning, CheckKind::UnstableEquilibrium); expected]);
+    }
+    let checks = judge.small_motions(&model, &operation, &soft, disturbed(true, true)).checks;
+    let sentence = &checks[0].sentence;
+    assert!(sentence.contains("tool face") && sentence.contains("mode 1"), "{sentence}");
 }

@@ -33,12 +33,16 @@ fn page(modes: &Modes, units: &str) -> StudyPage {
     let display = DisplayUnits::new(&modes.head.dimensions, units);
     let facts = modes.head.facts.iter().filter_map(|fact| display.fact(fact));
     let stability = modes.stability(display.unit_set());
+    let reasons = modes.summary.checks.iter();
+    let reasons: Vec<String> =
+        reasons.map(|check| format!("{}.", check.sentence_in(display.unit_set()))).collect();
     let mut verdict = Vec::new();
     if !modes.summary.stable {
         verdict.push(
             "The static equilibrium is not stable: the motion away from it has no frequency and is \
              left out.",
         );
+        verdict.extend(reasons.iter().map(String::as_str));
     }
     if modes.stability_map.is_some() {
         verdict.extend(stability.iter().take(VERDICT).map(String::as_str));

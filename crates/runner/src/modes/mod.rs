@@ -13,7 +13,7 @@ use wholestring::{
     statics::soft::{self, SoftSettings},
 };
 use wholestring_case::Case;
-use wholestring_judge::{NoAnswer, Quantity, Rounding};
+use wholestring_judge::{Disturbed, NoAnswer, Quantity, Rounding};
 use wholestring_report::Modes;
 use wholestring_results::{
     CriticalSpeed, MODES_VERSION, ModeFound, ModesRows, ModesSummary, Occupant, Spot, Texts, digest,
@@ -178,6 +178,10 @@ fn find(
     let mut texts = Texts::default();
     let soft = soft::solve(&case.model, operation, &SoftSettings::default());
     let soft = soft.map_err(|error| no_answer(error.into()))?;
+    let disturbed = Disturbed {
+        keeps_its_shape: motions.keeps_its_shape(),
+        leaves_its_tool_face: motions.leaves_its_tool_face(),
+    };
     let summary = ModesSummary {
         schema_version: MODES_VERSION,
         case: case.name.clone(),
@@ -186,7 +190,7 @@ fn find(
         rotary_speed_rad_per_s: motions.rotary_rad_per_s(),
         elements: motions.nodes() - 1,
         stable: motions.is_stable(),
-        checks: judge.small_motions(&case.model, operation, &soft, motions.is_stable()).checks,
+        checks: judge.small_motions(&case.model, operation, &soft, disturbed).checks,
         assembly_length_m: assembly.length_m(),
         forcing: texts.worded(words, case.units),
         modes: found(&modes),

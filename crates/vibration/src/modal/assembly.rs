@@ -6,7 +6,7 @@ use wholestring::{sizing::assembly_top_m, string::DrillString};
 use super::{
     ModalError,
     chain::Chain,
-    family::Family,
+    family::{Family, LOWEST_HZ},
     mode::Mode,
     motions::{SmallMotions, motion},
     search,
@@ -80,7 +80,8 @@ impl<'a> Assembly<'a> {
         self.motions.rest.mesh.nodes[self.top].from_bit_m
     }
 
-    /// The first lateral modes of the assembly from a frequency on, Hz, at a rotary speed.
+    /// The first lateral modes of the assembly from a frequency on, Hz, at a rotary speed. A motion
+    /// of less than 0.001 Hz, such as that of a bow around a vertical hole, is none of them.
     ///
     /// # Errors
     /// Where they were not all found.
@@ -99,7 +100,7 @@ impl<'a> Assembly<'a> {
     /// Modes enough for so many lateral ones of its own, from a frequency on.
     pub(super) fn modes(&self, from_Hz: f64, count: usize) -> Result<Modes, ModalError> {
         let incomplete = ModalError::Incomplete { count, from_Hz };
-        let omega = std::f64::consts::TAU * from_Hz;
+        let omega = std::f64::consts::TAU * from_Hz.max(LOWEST_HZ);
         let mut search_count = count + BEYOND;
         for _ in 0..ROUNDS {
             let rest = search::above(&self.chain, omega, search_count).ok_or(incomplete.clone())?;

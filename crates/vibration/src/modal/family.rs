@@ -42,6 +42,15 @@ impl Family {
     }
 }
 
+/// Lowest natural frequency, Hz: motions that are slower, or of an unstable state, do not vibrate
+/// as far as rounding lets one tell.
+pub(super) const LOWEST_HZ: f64 = 1e-3;
+
+/// Square of its angular frequency, rad²/s².
+pub(super) fn least_lambda() -> f64 {
+    (std::f64::consts::TAU * LOWEST_HZ).powi(2)
+}
+
 /// Vectors that Lanczos's method makes from a guess, at most: a stretch of pipe on its low side has
 /// hundreds of lateral modes of about one frequency, among which a torsional one is shared out.
 const MAX_VECTORS: usize = 480;
@@ -56,28 +65,42 @@ const CONVERGED: f64 = 1e-6;
 /// Part of its energy that a mode may share with one found before, to be another.
 const ANOTHER: f64 = 0.5;
 
-/// The first modes of the axial or of the torsional family, by rising frequency; fewer than `count`
-/// where the guess of the next one led to no mode.
+/// Modes of a family.
+pub(super) struct FamilyModes {
+    /// Those that vibrate, by rising frequency.
+    pub(super) vibrating: Vec<RealMode>,
+    /// How many more were found that do not: their frequency is below the lowest one, or the state
+    /// is unstable.
+    pub(super) others: usize,
+}
+
+/// The first modes of the axial or of the torsional family that vibrate; fewer than `count` where
+/// the guess of the next one led to no mode.
 ///
-/// Those of the chain that moves in this way alone are the guesses. From each of them Lanczos's
-/// method in the whole chain goes to the mode that has most of it: a shape that bends takes the
-/// lateral motion along, and lateral modes of about the same frequency, of which there may be
-/// many between two of the family, are passed by.
-pub(super) fn modes(chain: &Chain, family: Family, count: usize) -> Vec<RealMode> {
+/// Those of a chain that moves in this way alone, of the stiffness of `guesses`, are the guesses.
+/// From each of them Lanczos's method in the whole chain goes to the mode that has most of it: a
+/// shape that bends takes the lateral motion along, and lateral modes of about the same frequency,
+/// of which there may be many between two of the family, are passed by.
+pub(super) fn modes(chain: &Chain, guesses: &Chain, family: Family, count: usize) -> FamilyModes {
     let motion = family.motions()[0];
-    let line = Line::of(chain, motion);
+    let line = Line::of(guesses, motion);
     let mut found: Vec<RealMode> = Vec::new();
-    for number in 0..count.min(line.freedoms()) {
+    let mut others = 0;
+    for number in 0..line.freedoms() {
+        if found.len() == count + others {
+            break;
+        }
         let guess = line.mode(number);
         let mut whole = vec![0.0; chain.nodes() * MOTIONS];
         for (node, moved) in guess.shape.iter().enumerate() {
             whole[node * MOTIONS + motion] = *moved;
         }
         let Some(mode) = follow(chain, guess.lambda, whole, &found) else { break };
+        others += usize::from(mode.lambda < least_lambda());
         found.push(mode);
     }
     found.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
-    found
+    FamilyModes { vibrating: found.split_off(others), others }
 }
 
 /// Modes that a family has at most.

@@ -16,7 +16,7 @@ use super::{
     factors::MOTIONS,
     family::{self, Family},
     mode::{Mode, Place, energy, farthest, precession},
-    pull,
+    pull::{self, Bend},
     search::{self, RealMode},
     whirl::Turning,
 };
@@ -34,6 +34,9 @@ const BEYOND: usize = 6;
 pub struct SmallMotions {
     pub(super) rest: AtRest,
     pub(super) chain: Chain,
+    /// The chain of which the tool face has no energy: of a string that rotates, or is not bent,
+    /// `chain` itself.
+    averaged: Chain,
     pub(super) rotary_rad_per_s: f64,
     pub(super) dynamics: DynamicsSettings,
     /// Imbalance of each node, kg·m, towards the high side and to the right of it.
@@ -60,7 +63,13 @@ impl SmallMotions {
         // twist, which lowers its frequencies.
         let settings = StiffSettings { lumped_weight: true, ..*settings };
         let rest = stiff::at_rest(model, operation, &settings)?;
-        let chain = pull::chain(model, operation, dynamics, &rest);
+        let pull = |bend| pull::chain(model, operation, dynamics, &rest, bend);
+        let averaged = pull(Bend::AveragedOverATurn);
+        let chain = if operation.kind.rotates() || !pull::has_bend(&rest) {
+            averaged.clone()
+        } else {
+            pull(Bend::AtItsToolFace)
+        };
         let mud = &model.mud;
         let in_fluid = in_fluid::along(model, &rest.mesh);
         let mut drag = vec![[0.0; 2]; rest.nodes.len()];
@@ -84,6 +93,7 @@ impl SmallMotions {
             rotary_rad_per_s: operation.rotation_rad_per_s(),
             dynamics: dynamics.clone(),
             chain,
+            averaged,
             rest,
             drag,
             bodies,
@@ -112,6 +122,11 @@ impl SmallMotions {
 
     /// Whether every small motion costs energy, friction and torque apart.
     pub fn is_stable(&self) -> bool {
+        self.keeps_its_shape() && !self.leaves_its_tool_face()
+    }
+
+    /// Whether every small motion costs energy that leaves the tool face as it is.
+    pub fn keeps_its_shape(&self) -> bool {
         self.rest.stable
     }
 
@@ -134,7 +149,16 @@ impl SmallMotions {
         self.turning_modes(&self.chain, from_Hz, count, self.rotary_rad_per_s)
     }
 
-    /// The first modes of the axial or the torsional family. Rotation does not change them: its
+    /// Whether a bent string that does not rotate would turn away from its tool face, friction
+    /// apart: a motion that has a restoring force where its tool face has no energy has none at
+    /// this one.
+    pub fn leaves_its_tool_face(&self) -> bool {
+        let without_restoring = |chain: &Chain| chain.shifted(family::least_lambda()).negative;
+        without_restoring(&self.chain) > without_restoring(&self.averaged)
+    }
+
+    /// The first modes of the axial or the torsional family that vibrate: a motion of less than
+    /// 0.001 Hz or without restoring force is none of them. Rotation does not change them: its
     /// coupling is lateral.
     ///
     /// # Errors
@@ -144,8 +168,9 @@ impl SmallMotions {
     /// Of the lateral family, which an [assembly](super::Assembly) has.
     pub fn family(&self, family: Family, count: usize) -> Result<Vec<Mode>, ModalError> {
         assert_ne!(family, Family::Lateral, "an assembly's");
-        let found = family::modes(&self.chain, family, count);
-        let required = count.min(family::count(&self.chain, family));
+        let found = family::modes(&self.chain, &self.averaged, family, count);
+        let required = count.min(family::count(&self.chain, family) - found.others);
+        let found = found.vibrating;
         if found.len() < required {
             return Err(ModalError::Lost {
                 family: family.name(),

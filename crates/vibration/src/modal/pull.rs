@@ -1,6 +1,6 @@
 //! Stiffness and mass of the string's nodes for small vibrations.
 
-use nalgebra::{Matrix3, SMatrix};
+use nalgebra::{Matrix3, SMatrix, Vector3};
 
 use super::{
     chain::{Chain, Entry},
@@ -15,12 +15,47 @@ use wholestring::{
     statics::stiff::{AtRest, NodeAtRest},
 };
 
+/// How a bend of the body moves with the spin of its node.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Bend {
+    /// It turns with the node: the tool face is that at rest, and has the energy of weight and
+    /// wall.
+    AtItsToolFace,
+    /// Averaged over the tool faces of a turn, in which that energy is periodic, so that its second
+    /// derivative is zero on average: the spin goes around the bend and leaves it where it is.
+    AveragedOverATurn,
+}
+
 /// A node's motions in the axes of the world: three displacements, three rotations.
 fn axes(node: &NodeAtRest) -> Stiffness {
     let mut both = Stiffness::zeros();
     both.fixed_view_mut::<3, 3>(0, 0).copy_from(&Matrix3::from_columns(&node.axes));
     both.fixed_view_mut::<3, 3>(3, 3).copy_from(&Matrix3::from_columns(&node.frame));
     both
+}
+
+/// The same of a bent body below its bend, whose director is another: tilts move it, and the spin
+/// is about it.
+fn axes_around(node: &NodeAtRest, director: Vector3<f64>) -> Stiffness {
+    let [b1, b2, _] = node.frame;
+    let across = |tilt: Vector3<f64>| tilt - director * tilt.dot(&director);
+    let mut both = axes(node);
+    both.fixed_view_mut::<3, 3>(3, 3).copy_from(&Matrix3::from_columns(&[
+        across(b1),
+        across(b2),
+        director,
+    ]));
+    both
+}
+
+/// Whether the body of an element is bent at its upper node.
+fn is_bent(rest: &AtRest, element: usize) -> bool {
+    Vector3::from(rest.elements[element].pose.d1) != rest.nodes[element].frame[2]
+}
+
+/// Whether any body of the string is bent.
+pub(super) fn has_bend(rest: &AtRest) -> bool {
+    (0..rest.elements.len()).any(|element| is_bent(rest, element))
 }
 
 /// The chain of a string at rest.
@@ -33,14 +68,19 @@ pub(super) fn chain(
     operation: &Operation,
     dynamics: &DynamicsSettings,
     rest: &AtRest,
+    bend: Bend,
 ) -> Chain {
     let mut chain = Chain::free(rest.nodes.len());
     let turned: Vec<Stiffness> = rest.nodes.iter().map(axes).collect();
     for (index, element) in rest.elements.iter().enumerate() {
         let tangent: SMatrix<f64, 12, 12> = dual::tangent(&element.stiffness, &element.pose);
+        let mut ends = [turned[index], turned[index + 1]];
+        if bend == Bend::AveragedOverATurn && is_bent(rest, index) {
+            ends[0] = axes_around(&rest.nodes[index], element.pose.d1.into());
+        }
         let block = |row: usize, column: usize| {
             let fixed_view = tangent.fixed_view::<6, 6>(6 * row, 6 * column);
-            turned[index + row].tr_mul(&(fixed_view * turned[index + column]))
+            ends[row].tr_mul(&(fixed_view * ends[column]))
         };
         chain.diagonal[index] += block(0, 0);
         chain.diagonal[index + 1] += block(1, 1);

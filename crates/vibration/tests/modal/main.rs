@@ -4,6 +4,7 @@
 mod common;
 
 mod beams;
+mod bent;
 mod collars;
 mod lines;
 mod response;
