@@ -51,9 +51,10 @@ const COMPARED: [&str; 9] = [
 ];
 
 /// Lines that contain one of these words and make no verdict: a part of the line, and the reason.
-const DECLARED: [(&str, &str); 9] = [
+const DECLARED: [(&str, &str); 10] = [
     ("export type CheckKind =", "a type of the page, written from the declarations of the engine"),
     ("``\"", "a docstring lists the judge's words"),
+    ("``marginal``", "a docstring lists the judge's words, written from their declaration"),
     (">>> ", "an example in a docstring"),
     ("nothing locks up", "help on an option of the reach that leaves the helix's friction out"),
     ("ok: [\"OK\"", "the word of the judge's severity `ok`"),

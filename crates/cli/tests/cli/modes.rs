@@ -178,7 +178,7 @@ fn an_operation_that_the_case_lacks() {
 #[test]
 fn no_answer_is_said_as_elsewhere() {
     let desk = Desk::new();
-    for (units, symbol) in [("si", " m: "), ("field", " ft: ")] {
+    for (units, symbol) in [("si", " m, "), ("field", " ft, ")] {
         let locked = [
             "--set",
             "operation.kind=slide",

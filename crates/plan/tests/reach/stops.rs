@@ -335,11 +335,11 @@ fn lock_up_on_the_way_down_is_no_other_limit() {
 #[test]
 fn a_pipe_without_capacity_is_not_locked_up() {
     let file = file("S5_reach.json");
-    let mut steep = setup(&file["inputs"], &[[0.0, 0.0], [1000.0, 0.0]], 0.3);
-    steep.string.components[0].yield_strength_Pa = Some(400e6);
+    let mut inclined = setup(&file["inputs"], &[[0.0, 45.0], [1000.0, 45.0]], 0.3);
+    inclined.string.components[0].yield_strength_Pa = Some(400e6);
     let settings = ReachSettings { to_m: 30e3, depths: 12, ..ReachSettings::from_depth(1000.0) };
     let found =
-        reach(&steep, &Operation::rotate_off_bottom(0.0).rotary_speed_rad_per_s(6.0), &settings);
+        reach(&inclined, &Operation::rotate_off_bottom(0.0).rotary_speed_rad_per_s(6.0), &settings);
     let found = found.expect("a reach");
     let strength = found.curves.iter().find(|curve| curve.limit == DepthLimit::Strength);
     let strength = strength.expect("a limit of the strength");
