@@ -133,9 +133,11 @@ pub(crate) fn text(summary: &ModesSummary, units: UnitSet) -> String {
     for sentence in sentences {
         text += &format!("  {sentence}\n");
     }
+    for check in summary.checks.iter().filter(|check| !check.is_ok()) {
+        text += &format!("{}: {}\n", check.severity.name(), check.sentence_in(units));
+    }
     if !summary.stable {
-        text += "warning: the static equilibrium is unstable; its unstable modes have \
-                 no frequency\n";
+        text += "Unstable modes have no frequency.\n";
     }
     text
 }

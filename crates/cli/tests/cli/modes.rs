@@ -224,7 +224,8 @@ fn an_unstable_tool_face_has_a_warning_and_no_frequency() {
     assert!(straight[0] < tripping[0] && tripping[0] < straight[1], "{tripping:?}");
     let sentence = &checks.first().expect("a check").sentence;
     assert!(sentence.starts_with("The tool face is not stable"), "{sentence}");
-    assert!(shown.contains("unstable modes have no frequency"), "{shown}");
+    assert!(shown.contains(&format!("warning: {sentence}")), "{shown}");
+    assert!(shown.contains("Unstable modes have no frequency"), "{shown}");
     let page = fs::read_to_string(desk.path("out/report.html")).unwrap();
     assert!(page.contains("The tool face is not stable"));
     let (rotating, checks, _) = modes(&["--operation", "rotate_off_bottom"]);
