@@ -128,11 +128,11 @@ pub(crate) fn text(summary: &BhaSummary, units: UnitSet) -> String {
             quantity(differ_N, Dimension::Force, units)
         );
     }
+    for check in summary.open_checks() {
+        text += &format!("{}: {}\n", check.severity.name(), check.sentence_in(units));
+    }
     for warning in summary.warnings() {
         text += &format!("warning: {warning}\n");
-    }
-    for note in summary.notes() {
-        text += &format!("note: {note}\n");
     }
     for phrase in Unchecked::phrases(&summary.unchecked) {
         text += &format!("not checked: {phrase}\n");

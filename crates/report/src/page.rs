@@ -4,7 +4,7 @@ use serde::Serialize;
 use wholestring::outcome::Method;
 
 use crate::{
-    Bha, BitTest, BottomPicture, PageHead, PageTable, Plot, Report, Sweep, bha_plots,
+    Bha, BitTest, BottomPicture, CheckRow, PageHead, PageTable, Plot, Report, Sweep, bha_plots,
     bit_test_plots,
     draw::palette,
     plots::{
@@ -213,6 +213,7 @@ struct BhaData<'a> {
     #[serde(flatten)]
     head: &'a PageHead,
     tendency: [Vec<String>; 3],
+    checks: Vec<CheckRow>,
     message: Option<String>,
     page_tables: Vec<PageTable>,
     /// Name and title of each picture of a varied quantity.
@@ -227,6 +228,7 @@ pub fn bha_html(bha: &Bha) -> String {
     let data = BhaData {
         head: &bha.head,
         tendency: bha.tendency(),
+        checks: bha.summary.open_checks().map(CheckRow::new).collect(),
         message: bha.message(),
         page_tables: bha.page_tables(),
         sweeps: bha.varied().map(|varied| [varied.name, varied.title]).collect(),

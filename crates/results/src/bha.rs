@@ -8,7 +8,7 @@ use wholestring::{
     operation::OperationKind,
     statics::assembly::{AssemblyErrors, Contact, Largest, Sag},
 };
-use wholestring_judge::{Check, CheckKind, Severity, Unchecked};
+use wholestring_judge::{Check, CheckKind, Unchecked};
 
 use crate::{
     BhaPoint, BhaVaried, ResultsError,
@@ -135,10 +135,9 @@ impl BhaSummary {
         read_versioned(path, 1..=BHA_VERSION)
     }
 
-    /// Notes, a sentence for each.
-    pub fn notes(&self) -> Vec<String> {
-        let note = self.unstable().filter(|check| check.severity == Severity::Note);
-        note.map(|check| check.sentence.clone()).into_iter().collect()
+    /// Checks that need attention, the most severe first.
+    pub fn open_checks(&self) -> impl Iterator<Item = &Check> {
+        self.checks.iter().filter(|check| !check.is_ok())
     }
 
     /// Largest difference of the side force, N, between the state and the point of a variation at
@@ -168,16 +167,12 @@ impl BhaSummary {
         self.checks.iter().find(|check| check.kind == CheckKind::UnstableEquilibrium)
     }
 
-    /// Warnings, a sentence for each.
+    /// Warnings besides the checks, a sentence for each.
     pub fn warnings(&self) -> Vec<String> {
         let mut warnings = Vec::new();
-        if !self.state.stable {
-            match self.unstable() {
-                Some(check) if check.severity < Severity::Warning => {}
-                Some(check) => warnings.push(check.sentence.clone()),
-                // A file of a version without checks.
-                None => warnings.push("the state is not stable: a small push changes it".into()),
-            }
+        // A file of a version without checks.
+        if !self.state.stable && self.unstable().is_none() {
+            warnings.push("the state is not stable: a small push changes it".into());
         }
         let failed = self.sweep.iter().filter(|point| point.found.is_none()).count();
         if failed > 0 {

@@ -9,6 +9,7 @@ import { figure } from "./figure.js";
 import { licences } from "./footer.js";
 import { header } from "./header.js";
 import { pageTable, tableDownloads } from "./page_table.js";
+import { SEVERITIES, severityMark } from "./severities.js";
 import { on } from "./state.js";
 
 const section = (id, title, ...children) => el("section", { id }, el("h2", {}, title), children);
@@ -39,6 +40,25 @@ function tendency(report) {
   return line;
 }
 
+/** The checks that need attention, in the reader's units. */
+function judged(report) {
+  const list = el("ul", { class: "checks" });
+  const draw = () =>
+    list.replaceChildren(
+      ...report.checks.map(({ severity, sentences }) =>
+        el(
+          "li",
+          { class: `check level-${severity}` },
+          el("span", { class: "level" }, severityMark(severity), ` ${SEVERITIES[severity][0]}`),
+          el("span", { class: "message" }, ofReader(sentences)),
+        ),
+      ),
+    );
+  on("units", draw);
+  draw();
+  return report.checks.length > 0 ? el("div", { class: "check-list" }, list) : null;
+}
+
 const VARIED = { toolface: "Tool face", weight: "Weight on bit", inclination: "Inclination" };
 
 /** Shows a static BHA analysis. */
@@ -48,7 +68,7 @@ export function bhaPage(report) {
   const [contacts, ...others] = results;
   const page = document.getElementById("page");
   page.append(
-    header(report.title, [tendency(report), facts(report)], () => {}),
+    header(report.title, [judged(report), tendency(report), facts(report)].filter(Boolean), () => {}),
     ...(report.message ? [el("p", { class: "warning" }, report.message)] : []),
     drawn(
       "views",
