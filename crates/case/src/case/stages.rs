@@ -88,7 +88,7 @@ impl<'a> Tables<'a> {
         self.case.string.get()
     }
 
-    /// Where the case requires a bit test.
+    /// Place at which the case requires a bit test.
     pub(super) fn bit_test_place(&self) -> Option<Span> {
         bit_test::place(&self.case.bit_test)
     }
@@ -99,7 +99,7 @@ impl<'a> Tables<'a> {
         self.case.operation.get()?.bit_depth_m(last_md_m)
     }
 
-    /// Where the case gives the depth of the bit.
+    /// Place at which the case gives the depth of the bit.
     pub(super) fn bit_depth_place(&self) -> Option<Span> {
         self.case.operation.get().and_then(OperationTable::bit_depth_place)
     }

@@ -330,8 +330,8 @@ fn lock_up_on_the_way_down_is_no_other_limit() {
     assert!(found.curves.iter().all(|curve| curve.there.margin.is_finite()));
 }
 
-/// Where tension leaves a pipe no capacity, the margin is at its least: the string is not locked
-/// up, and the limit stops it before.
+/// A pipe that tension leaves no capacity has the least margin: the string is not locked up, and
+/// the limit stops it before.
 #[test]
 fn a_pipe_without_capacity_is_not_locked_up() {
     let file = file("S5_reach.json");

@@ -125,7 +125,7 @@ fn below(table: &Table, header: &Header, layout: &Layout) -> Result<ImportedTall
     Ok(ImportedTally { sheet, rows, totals, notes, left_out })
 }
 
-/// Where a column lacks its unit: the heading, or the cell if other cells have a unit of their own.
+/// Place of a missing unit: the heading, or the cell if other cells have a unit of their own.
 fn place_of_unit(
     table: &Table,
     (header, layout): (&Header, &Layout),

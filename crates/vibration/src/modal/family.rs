@@ -69,8 +69,8 @@ const ANOTHER: f64 = 0.5;
 pub(super) struct FamilyModes {
     /// Those that vibrate, by rising frequency.
     pub(super) vibrating: Vec<RealMode>,
-    /// How many more were found that do not: their frequency is below the lowest one, or the state
-    /// is unstable.
+    /// Number of further ones that do not vibrate: their frequency is below the lowest one, or the
+    /// state is unstable.
     pub(super) others: usize,
 }
 

@@ -15,7 +15,7 @@ use wholestring::{
     statics::stiff::{AtRest, NodeAtRest},
 };
 
-/// How a bend of the body moves with the spin of its node.
+/// Motion of a bend of the body with the spin of its node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Bend {
     /// It turns with the node: the tool face is that at rest, and has the energy of weight and
