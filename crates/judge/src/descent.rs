@@ -233,12 +233,17 @@ pub(crate) fn goes_down(
     let goes_down = descent.is_some() || operation.axial_velocity_m_per_s() > 0.0;
     let limit_N = 0.0 - model.rig.push_N();
     let check = || Check::reported(CheckKind::GoesDown, severity).value(hook_load_N).limit(limit_N);
-    // A level string that does not move hangs with nothing but what rounding leaves.
-    let is_pushed = match model.rig.snubbing_force_N {
-        Some(_) => !hangs,
-        None => hook_load_N < -least_N,
-    };
-    (goes_down || is_pushed).then(check)
+    let is_shown = !hangs && !lies_level(model, operation, hook_load_N);
+    (goes_down || is_shown).then(check)
+}
+
+/// Whether a string lies in a level hole and hangs with nothing, but for rounding.
+fn lies_level(model: &Model, operation: &Operation, hook_load_N: f64) -> bool {
+    let path = &model.well.path;
+    let depth_m = |md_m: f64| path.at(md_m).position_m.z;
+    let drop_m = depth_m(operation.bit_depth_m) - depth_m(path.first_md_m());
+    drop_m.abs() <= NONE * operation.bit_depth_m
+        && hook_load_N.abs() <= NONE * model.buoyed_weight_N()
 }
 
 /// The same for a dynamic run that goes slack only at times.

@@ -89,8 +89,8 @@ fn the_small_study_meets_its_closed_forms() {
     let markdown = read(&desk, "tables/dynamics.md");
     assert!(markdown.contains("| soft string | dynamics |"), "{markdown}");
     // The study is no result of one kind; its sweeps are.
-    for command in ["report", "plot", "export"] {
-        let output = desk.run(&[command, "results"]);
+    for command in ["report results", "plot results", "export results --to csv"] {
+        let output = desk.run(&args(command));
         assert_eq!(output.status.code(), Some(2), "{command}");
         let stderr = text_of(&output.stderr);
         assert!(stderr.contains("results holds a study; name the folder of one of"), "{stderr}");

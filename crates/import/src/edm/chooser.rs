@@ -120,7 +120,7 @@ pub(super) fn choose<'a>(
     let count = if all > 1 { format!(", of {all} in the file") } else { String::new() };
     notes.push(Note::Read(format!("{}{count}", taken.join(", "))));
     if let (None, Some(id)) = (scenario, case.and_then(|case| case.get("scenario_id"))) {
-        notes.push(Note::Warning(format!(
+        notes.push(Note::Read(format!(
             "the case refers to the scenario '{id}', which the file does not have"
         )));
     }
