@@ -72,6 +72,7 @@ impl Server {
         listener.set_nonblocking(true).map_err(refused)?;
         let port = listener.local_addr().map_err(refused)?.port();
         let guard = Guard::new(port).map_err(|error| ServerError::System(error.to_string()))?;
+        workspace.remove_leftovers();
         let app = App::new(workspace, Limits::default());
         Ok(Self { listener, guard, app, stop: Stop::new() })
     }

@@ -15,6 +15,7 @@ mod folder;
 mod guard;
 mod import;
 mod jobs;
+mod leftovers;
 mod live;
 mod lookup;
 mod results;
