@@ -7,7 +7,7 @@ use axum::{
     Router,
     body::Body,
     extract::Request,
-    http::{HeaderValue, StatusCode, header},
+    http::{HeaderValue, StatusCode, header, request::Parts},
     response::{IntoResponse, Response},
 };
 use hyper::{
@@ -17,7 +17,7 @@ use hyper::{
 };
 use hyper_util::rt::{TokioIo, TokioTimer};
 use tokio::{
-    net::{TcpListener, TcpStream},
+    net::TcpStream,
     sync::{Semaphore, watch},
     time::{sleep, timeout},
 };
@@ -25,8 +25,9 @@ use tower::ServiceExt;
 
 use crate::{
     api::error::ApiError,
-    guard::{self, Guard},
+    guard::{self, Admission, Guard},
     limits::Limits,
+    listeners::Accepting,
     places::{Place, Places},
 };
 
@@ -47,11 +48,11 @@ impl Connections {
     }
 
     /// Accepts connections until it is stopped, then waits a bounded time for open responses.
-    pub(crate) async fn serve(self, listener: TcpListener, stop: &Stop) {
+    pub(crate) async fn serve(self, listeners: Accepting, stop: &Stop) {
         let places = Places::new(self.limits.connections, self.limits.silent_time);
         let accept = async {
             loop {
-                let Ok((stream, _)) = listener.accept().await else {
+                let Ok(stream) = listeners.accept().await else {
                     // Out of file descriptors, for example, which are freed as connections end.
                     sleep(Duration::from_millis(50)).await;
                     continue;
@@ -65,7 +66,7 @@ impl Connections {
             () = accept => {}
             () = stop.requested() => {}
         }
-        drop(listener);
+        drop(listeners);
         let _ = timeout(self.limits.closing_time, places.all_free()).await;
     }
 
@@ -99,7 +100,8 @@ impl Connections {
         let host = head.headers.get(header::HOST).cloned();
         let response = match self.guard.admit(&head) {
             Err(refusal) => last(refusal.into_response()),
-            Ok(()) => {
+            Ok(Admission::Exchange) => last(self.exchange(&head, body).await),
+            Ok(Admission::Session) => {
                 place.admit();
                 let request = Request::from_parts(head, Body::new(body));
                 match timeout(self.limits.request_time, self.route(request)).await {
@@ -109,6 +111,15 @@ impl Connections {
             }
         };
         guard::put_headers(response, host.as_ref())
+    }
+
+    /// Exchanges the code in a short form for the cookie.
+    async fn exchange(&self, head: &Parts, body: Incoming) -> Response {
+        let form = axum::body::to_bytes(Body::new(body), guard::LONGEST_FORM);
+        match timeout(self.limits.head_time, form).await {
+            Ok(Ok(form)) => self.guard.exchange(head, &form),
+            _ => self.guard.exchange(head, b""),
+        }
     }
 
     /// Routes an admitted request, after a permit if its body is large.

@@ -11,6 +11,7 @@ mod check;
 mod conformance;
 mod document;
 mod edit;
+mod entrance;
 mod folder;
 mod guard;
 mod import;

@@ -91,7 +91,7 @@ fn five_hundred_silent_connections_delay_nobody() {
             let sent: &[u8] = match number % 3 {
                 0 => b"",
                 1 => b"GET / HTTP/1.1\r\nX: ",
-                _ => b"POST / HTTP/1.1\r\nHost: x\r\nContent-Length: 9\r\n\r\n",
+                _ => b"POST /enter HTTP/1.1\r\nHost: x\r\nContent-Length: 9\r\n\r\n",
             };
             let _ = stream.write_all(sent);
             stream
