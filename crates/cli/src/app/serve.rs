@@ -45,13 +45,10 @@ const PLAIN: &str = "warning: at 127.0.0.1 the browser sends the cookie of the a
 /// A link that lets one browser in. After its use the next one is printed, for another browser.
 fn link(links: &Links) -> std::io::Result<String> {
     let next = links.clone();
-    links.address(move || {
-        let printed = match link(&next) {
-            Ok(link) => print_stdout(&format!("{link}\nthe link for another browser\n")),
-            Err(error) => Ok(print_stderr(&format!("no further link could be made: {error}\n"))),
-        };
+    links.address(move || match link(&next) {
         // Where nobody reads the output, nobody waits for a link.
-        let _ = printed;
+        Ok(link) => drop(print_stdout(&format!("{link}\nthe link for another browser\n"))),
+        Err(error) => print_stderr(&format!("no further link could be made: {error}\n")),
     })
 }
 
