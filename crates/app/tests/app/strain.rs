@@ -104,7 +104,9 @@ fn five_hundred_silent_connections_delay_nobody() {
         assert_eq!(served.get("/api/session").status, 200);
     }
     println!("{first:?}, and {:?} with five more", begin.elapsed());
-    assert!(begin.elapsed() < Duration::from_secs(2), "{first:?}, {:?}", begin.elapsed());
+    // On a loaded machine the system's queue may be full for a moment, and a client tries again
+    // after one second, then after two.
+    assert!(begin.elapsed() < Duration::from_secs(5), "{first:?}, {:?}", begin.elapsed());
     drop(silent);
 }
 
