@@ -142,6 +142,30 @@ fn a_new_case_goes_over_none() {
     {
         assert_eq!(new(name, json!([])).error(422), "bad_input", "{name:?}");
     }
+    // Characters that show a name as another one.
+    for letter in
+        "\u{202a}\u{202b}\u{202c}\u{202d}\u{202e}\u{2066}\u{2067}\u{2068}\u{2069}\u{200b}\u{200e}"
+            .chars()
+    {
+        let name = format!("d{letter}lmot.toml");
+        let refused = new(&name, json!([]));
+        assert_eq!(refused.error(422), "bad_input", "{name:?}");
+        let code = format!("U+{:04X}", u32::from(letter));
+        let text = refused.json()["error"]["message"].as_str().unwrap().to_owned();
+        assert!(text.contains(&code) && text.contains("invisible"), "{text}");
+        assert!(!text.contains(letter), "{text}");
+        let path = format!("/api/cases/{}", served.id("a.toml"));
+        for action in ["rename", "copy"] {
+            let refused = served.post(&format!("{path}/{action}"), &json!({"file_name": name}));
+            assert_eq!(refused.error(422), "bad_input", "{action}: {name:?}");
+        }
+        let beside = json!([{"file_name": format!("s{letter}.csv"), "text": ""}]);
+        assert_eq!(new("d.toml", beside).error(422), "bad_input");
+        let named = CASE.replace("\"slant\"", &format!("\"sla{letter}nt\""));
+        let checked = served.post(&format!("{path}/check"), &json!({"text": named})).ok();
+        let diagnostics = checked["diagnostics"].to_string();
+        assert!(diagnostics.contains(&code), "{diagnostics}");
+    }
     let outside = json!([{"file_name": "../s.csv", "text": ""}]);
     assert_eq!(new("d.toml", outside).error(422), "bad_input");
 }

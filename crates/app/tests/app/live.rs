@@ -49,12 +49,11 @@ impl Page {
         let host = served.host();
         let mut request =
             format!("ws://{host}/api/live/{id}/socket").into_client_request().unwrap();
-        let cookie = format!("wholestring_{}={}", served.port, served.token);
         let headers = request.headers_mut();
-        headers.insert("cookie", HeaderValue::from_str(&cookie).unwrap());
+        headers.insert("cookie", HeaderValue::from_str(&served.cookie).unwrap());
         headers.insert("origin", HeaderValue::from_str(&format!("http://{host}")).unwrap());
         let socket = runtime.block_on(async {
-            let stream = TcpStream::connect(&host).await.unwrap();
+            let stream = TcpStream::connect(("127.0.0.1", served.port)).await.unwrap();
             client_async(request, stream).await.unwrap().0
         });
         let mut page = Self {
@@ -335,7 +334,7 @@ fn what_cannot_be_begun_is_said() {
 fn a_foreign_page_gets_no_socket() {
     let (served, _, id) = live();
     let host = served.host();
-    let cookie = format!("Cookie: wholestring_{}={}\r\n", served.port, served.token);
+    let cookie = format!("Cookie: {}\r\n", served.cookie);
     let upgrade = |origin: &str, cookie: &str| {
         let head = format!(
             "GET /api/live/{id}/socket HTTP/1.1\r\nHost: {host}\r\nConnection: Upgrade\r\n\
