@@ -12,7 +12,7 @@ export interface Readout {
   decimals?: number;
   /** Columns of the samples: value, and a second one with its word. */
   column: string | null;
-  beside?: [string, string];
+  second?: [string, string];
   /** Knob without which the quantity has no meaning in an operation. */
   needs?: keyof Layout["knobs"];
   kinds: CheckKind[];
@@ -23,15 +23,15 @@ export const READOUTS: Readout[] = [
   { key: "hole", label: "Hole depth", dimension: "length", decimals: 2, column: null, kinds: [] },
   { key: "hook", label: "Hook load", dimension: "force", column: "hook_load_N", kinds: ["hoist", "tension", "goes_down"] },
   {
-    key: "weight", label: "Weight on bit", dimension: "force", column: "weight_on_bit_N", beside: ["weight_on_bit_set_N", "set"], needs: "weight_on_bit_N",
+    key: "weight", label: "Weight on bit", dimension: "force", column: "weight_on_bit_N", second: ["weight_on_bit_set_N", "set"], needs: "weight_on_bit_N",
     kinds: ["weight_not_available", "weight_on_bit_not_reached", "weight_on_bit_exceeded", "helical_buckling"],
   },
   {
-    key: "torque", label: "Torque", dimension: "torque", column: "surface_torque_N_m", beside: ["bit_torque_N_m", "bit"],
+    key: "torque", label: "Torque", dimension: "torque", column: "surface_torque_N_m", second: ["bit_torque_N_m", "bit"],
     kinds: ["torsion", "tension_and_torsion", "make_up", "top_drive", "top_drive_peak", "top_drive_stalled", "top_drive_at_limit"],
   },
   {
-    key: "speed", label: "Rotary speed", dimension: "rotary speed", column: "rotary_speed_rad_per_s", beside: ["bit_rotary_speed_rad_per_s", "bit"],
+    key: "speed", label: "Rotary speed", dimension: "rotary speed", column: "rotary_speed_rad_per_s", second: ["bit_rotary_speed_rad_per_s", "bit"],
     needs: "rotary_speed_rad_per_s", kinds: ["stick_slip", "backward_whirl", "forward_whirl"],
   },
   { key: "rate", label: "ROP", dimension: "rate of penetration", column: "rate_of_penetration_m_per_s", needs: "weight_on_bit_N", kinds: [] },
