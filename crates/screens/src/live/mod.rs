@@ -16,6 +16,7 @@ mod kept;
 mod lamps;
 mod layout;
 mod live_string;
+mod long_elements;
 mod pace;
 mod packet;
 mod recording;
@@ -26,6 +27,7 @@ mod set_points;
 mod status;
 mod viewing;
 mod wanted;
+mod watched;
 
 pub use begin::{Beginning, Keeps, Start};
 pub use command::LiveError;
