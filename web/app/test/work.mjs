@@ -272,13 +272,13 @@ await run({
           area.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
         }
       }, files);
-    await button(page, "New case…").waitFor();
+    await page.getByRole("button", { name: /^Open an example/ }).waitFor();
     const mine = text("vertical.toml");
     await drop([["mine.toml", mine]]);
     await until(() => page.url().includes("#/case/"), "a case is opened");
     equal(served.read("mine.toml"), mine, "it is written as it was");
     await page.getByRole("link", { name: "Cases", exact: true }).click();
-    await button(page, "New case…").waitFor();
+    await page.getByRole("button", { name: /^Open an example/ }).waitFor();
     await drop([["mine.toml", mine], ["survey.csv", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n1000,0,0\n1100,3,45\n"]]);
     await page.getByRole("heading", { name: "Resulting case" }).waitFor();
     check(existsSync(join(served.folder, "mine-2.toml")), "a name that is taken gets a number");

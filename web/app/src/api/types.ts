@@ -272,6 +272,9 @@ export interface CaseEntry {
   /** Its first mistake; null if there is none, or if there was no time to check. */
   problem: string | null;
   verdict: CaseVerdict | null;
+  is_pending: boolean;
+  overview: CaseOverview | null;
+  silhouette: Silhouette | null;
 }
 
 /** A value of a case file. */
@@ -1593,3 +1596,6 @@ export type Work = {
   /** Share of the points to drill, such as `1/4`. */
   shard?: string | null;
 };
+
+export interface CaseOverview { bit_depth_m: number; hook_load_N: number | null; operation: string; sentence: string; severity: Severity; surface_torque_N_m: number | null; verdict: string; }
+export interface Silhouette { bit_md_m: number; md_m: number[]; shoe_md_m: number | null; tvd_m: number[]; vertical_section_m: number[]; }
