@@ -18,6 +18,7 @@ mod import;
 mod jobs;
 mod limits;
 mod live;
+mod overview;
 mod results;
 mod server;
 mod workspace;
