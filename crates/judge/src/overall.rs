@@ -82,10 +82,7 @@ mod tests {
         let note = check(Severity::Note, "Helix");
         let warning = check(Severity::Warning, "Tension");
         let errors = ["Lock-up", "Hoist"].map(|sentence| check(Severity::Error, sentence));
-        assert_eq!(
-            words(std::slice::from_ref(&passed)).unwrap(),
-            "OK"
-        );
+        assert_eq!(words(std::slice::from_ref(&passed)).unwrap(), "OK");
         assert_eq!(words(&[passed.clone(), note]).unwrap(), "OK, 1 note");
         assert_eq!(words(&[passed, warning.clone()]).unwrap(), "Tension");
         let [first, second] = errors;

@@ -54,7 +54,8 @@ async function open(files, options) {
 }
 
 async function opened(text = CASE, options = {}, more = {}) {
-  const all = await open({ "a.toml": text, ...more }, { permissions: CLIPBOARD, ...options });
+  // The text editor has the lines in view alone: all of a short case, in a tall window.
+  const all = await open({ "a.toml": text, ...more }, { permissions: CLIPBOARD, height: 2200, ...options });
   await openCase(all.page, /name = "(.*)"/.exec(text)[1]);
   return all;
 }
@@ -325,7 +326,7 @@ await run({
     await picture(page, "draft");
     await accessible(page, "a draft");
     await served.restart("SIGKILL");
-    const again = await openPage(served);
+    const again = await openPage(served, { height: 2200 });
     await again.getByText("unsaved draft").waitFor();
     await openCase(again, "slant");
     await again.getByText("This is a draft of").waitFor();
@@ -381,7 +382,7 @@ await run({
 
   "two tabs with one case: nothing of either is lost": async () => {
     const { page, served, end } = await opened();
-    const other = await openPage(served);
+    const other = await openPage(served, { height: 2200 });
     await openCase(other, "slant");
     for (const [tab, density] of [[page, "1350"], [other, "1400"]]) {
       await section(tab, "Mud");
@@ -471,8 +472,8 @@ await run({
     // Verdict and sentence are those of the server.
     const cases = await page.evaluate(async () => (await fetch("/api/cases?units=si")).json());
     const { overview } = cases.find(({ path }) => path === "b.toml");
-    await card("b.toml").getByText(overview.sentence, { exact: false }).waitFor();
-    equal(overview.severity, "error", "severity of a lateral that cannot be drilled");
+    await card("b.toml").getByText(overview.check.sentence, { exact: false }).waitFor();
+    equal(overview.check.severity, "error", "severity of a lateral that cannot be drilled");
     await card("c.toml").getByText("Not valid").waitFor();
     const paths = () => page.getByRole("article").evaluateAll((all) => all.map((one) => one.getAttribute("aria-label")));
     await page.getByLabel("Order").selectOption("severity");

@@ -85,7 +85,8 @@ async fn list(
         let units = units.map_err(|error| ApiError::bad_input(error.to_string()))?;
         let verdicts = app.verdicts.newest(&app.workspace, READING_TIME);
         let cases = app.workspace.cases();
-        let revision = |case: &CaseFile| case.read().map_or_else(|_| String::new(), |read| read.revision);
+        let revision =
+            |case: &CaseFile| case.read().map_or_else(|_| String::new(), |read| read.revision);
         let revised: Vec<_> = cases.iter().map(|case| (case, revision(case))).collect();
         let known = app.overviews.of(&revised);
         let entries = cases.into_iter().zip(known);

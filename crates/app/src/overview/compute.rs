@@ -13,8 +13,9 @@ use wholestring_runner::{CancellationToken, Silent, run};
 use wholestring_screens::words::Severity;
 use wholestring_units::UnitSet;
 
-/// Number of points of a silhouette.
-const POINTS: usize = 40;
+/// Number of intervals of a silhouette, and its resolution, parts of a metre.
+const POINTS: usize = 28;
+const PARTS: f64 = 10.0;
 
 /// The well of a case as a line, for a small drawing.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
@@ -35,7 +36,9 @@ impl Silhouette {
     pub(super) fn of(case: &Case) -> Self {
         let path = &case.model.well.path;
         let well = WellPath::at(path, depths(path)).drawn(path);
-        let column = |numbers: Vec<f64>| numbers.into_iter().map(|number| number as f32).collect();
+        let column = |numbers: Vec<f64>| {
+            numbers.into_iter().map(|number| ((number * PARTS).round() / PARTS) as f32).collect()
+        };
         let sections = case.model.well.hole.sections().iter();
         let shoes = sections.filter(|section| section.kind == HoleKind::Casing);
         let bit = case.operations.first().map(|operation| operation.bit_depth_m);
@@ -58,14 +61,11 @@ fn depths(path: &Path) -> Vec<f64> {
 /// about.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub(crate) struct CaseOverview {
-    /// Severity of the most severe check.
-    #[schema(value_type = Severity)]
-    severity: &'static str,
-    /// Its verdict in words: `OK`, `marginal`, `below required factor`, `exceeded`.
-    verdict: &'static str,
-    /// Its sentence: for a case without an error or a warning, the limit with the least reserve.
-    sentence: String,
-    /// The operation that it is about: `drill`, ...
+    /// The most severe check; null if the case has no capacity that a load could be compared with.
+    check: Option<WorstCheck>,
+    /// Reason why an operation has no answer.
+    message: Option<String>,
+    /// The operation of the check: `drill`, ...; without a check, the first.
     operation: &'static str,
     /// Bit depth of that operation, m.
     bit_depth_m: f64,
@@ -75,16 +75,26 @@ pub(crate) struct CaseOverview {
     surface_torque_N_m: Option<f64>,
 }
 
-/// The most severe check of a case with its operation, in SI units.
+/// The most severe check of a case.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub(crate) struct WorstCheck {
+    /// Its severity.
+    #[schema(value_type = Severity)]
+    severity: &'static str,
+    /// The verdict in words: `OK`, `marginal`, `below required factor`, `exceeded`.
+    verdict: &'static str,
+    /// Its sentence, and the number of other errors and warnings. For a case without an error or a
+    /// warning, it is the limit with the least reserve.
+    sentence: String,
+}
+
+/// The overview in SI units, and the check from which its sentence is rendered.
 #[derive(Debug)]
 pub(super) struct Solved {
-    check: Check,
-    /// Sentence of the whole case, in the units of the case.
-    words: String,
-    operation: &'static str,
-    bit_depth_m: f64,
-    hook_load_N: Option<f64>,
-    surface_torque_N_m: Option<f64>,
+    check: Option<Check>,
+    /// Number of other errors and warnings, in words.
+    others: String,
+    overview: CaseOverview,
 }
 
 impl Solved {
@@ -98,40 +108,43 @@ impl Solved {
             return None;
         }
         let operations = &solved.answers.summary().operations;
-        let checks = operations.iter().flat_map(|one| one.checks.iter().map(move |check| (one, check)));
+        let pairs =
+            operations.iter().flat_map(|one| one.checks.iter().map(move |check| (one, check)));
+        let pairs: Vec<(&OperationSummary, &Check)> = pairs.collect();
         // The first of equals, because the checks of an operation are sorted.
-        let all: Vec<(&OperationSummary, &Check)> = checks.collect();
-        let worst = all.iter().rev().max_by(|one, other| one.1.cmp_severity(other.1));
-        let (operation, check) = *worst?;
-        let overall = Overall::of(all.iter().map(|(_, check)| *check))?;
+        let worst = pairs.iter().rev().max_by(|one, other| one.1.cmp_severity(other.1));
+        let operation =
+            worst.map_or_else(|| operations.first(), |(operation, _)| Some(*operation))?;
+        let check = worst.map(|(_, check)| (*check).clone());
+        let overall = Overall::of(pairs.iter().map(|(_, check)| *check));
+        let others = overall.zip(check.as_ref()).and_then(|(overall, check)| {
+            overall.words.strip_prefix(&check.sentence).map(str::to_owned)
+        });
+        let message = operations.iter().find_map(|one| match &one.status {
+            Status::Failed(message) => Some(message.clone()),
+            _ => None,
+        });
         let is_complete = operation.status == Status::Complete;
         let scalar = |value: f64| (is_complete && value.is_finite()).then_some(value);
-        Some(Self {
-            check: check.clone(),
-            words: overall.words,
+        let overview = CaseOverview {
+            check: None,
+            message,
             operation: operation.operation.name(),
             bit_depth_m: operation.bit_depth_m,
             hook_load_N: scalar(operation.scalars.hook_load_N),
             surface_torque_N_m: scalar(operation.scalars.surface_torque_N_m),
-        })
+        };
+        Some(Self { check, others: others.unwrap_or_default(), overview })
     }
 
     /// The overview with its sentence in these units; by default those of the case.
     pub(super) fn overview(&self, units: Option<UnitSet>) -> CaseOverview {
-        let sentence = match units {
-            Some(units) => self.check.sentence_in(units),
-            None => self.check.sentence.clone(),
-        };
-        // The number of further errors and warnings follows the sentence of the check.
-        let more = self.words.strip_prefix(&self.check.sentence).unwrap_or_default();
-        CaseOverview {
-            severity: self.check.severity.name(),
-            verdict: self.check.verdict.words(),
-            sentence: sentence + more,
-            operation: self.operation,
-            bit_depth_m: self.bit_depth_m,
-            hook_load_N: self.hook_load_N,
-            surface_torque_N_m: self.surface_torque_N_m,
-        }
+        let check = self.check.as_ref().map(|check| {
+            let sentence =
+                units.map_or_else(|| check.sentence.clone(), |units| check.sentence_in(units));
+            let (severity, verdict) = (check.severity.name(), check.verdict.words());
+            WorstCheck { severity, verdict, sentence: sentence + &self.others }
+        });
+        CaseOverview { check, ..self.overview.clone() }
     }
 }

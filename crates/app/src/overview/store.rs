@@ -139,7 +139,8 @@ impl Overviews {
         queues.known.retain(|id, _| cases.iter().any(|(case, _)| case.id == *id));
         // Only the cases of the newest list are read.
         let missing = cases.iter().filter(|one| !is_fresh(&queues, one));
-        queues.to_read = missing.map(|(case, revision)| ((*case).clone(), revision.clone())).collect();
+        queues.to_read =
+            missing.map(|(case, revision)| ((*case).clone(), revision.clone())).collect();
         let missing = queues.to_read.len();
         if missing > 0 && !queues.is_running {
             queues.is_running = true;

@@ -45,9 +45,12 @@ pub(crate) struct CaseVerdict {
 /// Size of a summary and time of its last change.
 type Stamp = (u64, SystemTime);
 
+/// A summary when it was read, and its verdict if it has one.
+type Stored = (Stamp, Option<Arc<Known>>);
+
 /// Verdicts of the results of a folder, stored until their summaries change.
 #[derive(Debug, Default)]
-pub(crate) struct Verdicts(Mutex<HashMap<PathBuf, (Stamp, Option<Arc<Known>>)>>);
+pub(crate) struct Verdicts(Mutex<HashMap<PathBuf, Stored>>);
 
 #[derive(Debug)]
 struct Known {
@@ -78,7 +81,8 @@ impl Verdicts {
         let mut all = Vec::new();
         for place in workspace.results() {
             let about = fs::metadata(place.path.join("summary.json"));
-            let Some(stamp) = about.ok().and_then(|about| Some((about.len(), about.modified().ok()?)))
+            let Some(stamp) =
+                about.ok().and_then(|about| Some((about.len(), about.modified().ok()?)))
             else {
                 continue;
             };

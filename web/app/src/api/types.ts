@@ -1597,5 +1597,6 @@ export type Work = {
   shard?: string | null;
 };
 
-export interface CaseOverview { bit_depth_m: number; hook_load_N: number | null; operation: string; sentence: string; severity: Severity; surface_torque_N_m: number | null; verdict: string; }
+export interface CaseOverview { bit_depth_m: number; check: WorstCheck | null; hook_load_N: number | null; message: string | null; operation: string; surface_torque_N_m: number | null; }
+export interface WorstCheck { sentence: string; severity: Severity; verdict: string; }
 export interface Silhouette { bit_md_m: number; md_m: number[]; shoe_md_m: number | null; tvd_m: number[]; vertical_section_m: number[]; }

@@ -14,7 +14,7 @@ const SEVERITIES = ["error", "warning", "note", "ok"];
 
 function rank({ problem, overview }: CaseInList): number {
   if (problem !== null) return -1;
-  const place = SEVERITIES.indexOf(overview?.severity ?? "");
+  const place = SEVERITIES.indexOf(overview?.check?.severity ?? "");
   return place < 0 ? SEVERITIES.length : place;
 }
 
@@ -32,7 +32,7 @@ const COMPARE: Record<Order, (one: CaseInList, other: CaseInList) => number> = {
 export function ordered(cases: readonly CaseInList[], words: string, order: Order): CaseInList[] {
   const sought = words.toLowerCase().split(/\s+/).filter(Boolean);
   const textOf = ({ name, path, problem, overview }: CaseInList): string =>
-    [name, path, problem, overview?.verdict, overview?.sentence].join(" ").toLowerCase();
+    [name, path, problem, overview?.check?.verdict, overview?.check?.sentence].join(" ").toLowerCase();
   const found = sought.length === 0 ? cases : cases.filter((one) => sought.every((word) => textOf(one).includes(word)));
   return found.toSorted(COMPARE[order]);
 }
