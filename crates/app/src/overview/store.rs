@@ -4,7 +4,7 @@ use std::{
     collections::{BTreeSet, HashMap, VecDeque},
     fs, io,
     panic::{AssertUnwindSafe, catch_unwind},
-    path::Path,
+    path::{Component, Path},
     sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError},
     thread,
     time::{Duration, Instant, SystemTime},
@@ -209,7 +209,10 @@ impl Shared {
         let failed = || (Title::default(), None);
         let (title, valid) = catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(|_| failed());
         let silhouette = valid.as_ref().map(Silhouette::of);
-        let names = lock(&beside.names).clone().into_iter();
+        let is_inside = |name: &String| {
+            Path::new(name).components().all(|part| matches!(part, Component::Normal(_)))
+        };
+        let names = lock(&beside.names).clone().into_iter().filter(is_inside);
         let files = names.map(|name| (name.clone(), stamp(case, &name)));
         let print = Fingerprint { revision, files: files.collect() };
         let solved = if valid.is_some() { None } else { Some(None) };
