@@ -48,7 +48,7 @@ async function frame(page) {
 await run({
   async "from an empty folder to a printed plan"() {
     const { served, page, end } = await open();
-    await button(page, /^New case/).click();
+    await button(page, /^Open an example/).click();
     await page.getByText("A slant well of 1200 m").click();
     await button(page, "Make the case").click();
     await until(() => existsSync(join(served.folder, "slant.toml")), "the case is written");
