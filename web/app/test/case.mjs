@@ -464,7 +464,7 @@ await run({
   "cards have silhouette, verdict and key numbers, are searched and sorted": async () => {
     const read = (name) => readFileSync(new URL(`../../../cases/${name}`, import.meta.url), "utf8");
     const broken = CASE.replace('name = "slant"', 'name = "broken"').replace("friction = 0.3", "friction = 7");
-    const { page, end } = await open({ "a.toml": CASE, "b.toml": read("lateral-that-cannot-be-drilled.toml"), "c.toml": broken });
+    const { page, end } = await open({ "a.toml": `${CASE}\n[rig]\nhoist_capacity = "250 tf"\n`, "b.toml": read("lateral-that-cannot-be-drilled.toml"), "c.toml": broken });
     const card = (path) => page.getByRole("article", { name: path });
     await card("a.toml").getByText("OK", { exact: true }).waitFor();
     check((await card("a.toml").locator("svg polyline").count()) >= 2, "the well is drawn");

@@ -303,7 +303,7 @@ await run({
     await button(page, "Start").click();
     await page.getByText("did you mean").first().waitFor().catch(() => page.getByText("not valid").waitFor());
     await cases.selectOption(good);
-    const results = await page.getByRole("link", { name: "Results" }).first().getAttribute("href");
+    const results = await jobs(page).getByRole("link", { name: "Results" }).first().getAttribute("href");
     for (const width of [1440, 900, 420])
       for (const theme of ["light", "dark"]) {
         const other = await openPage(served, { width, theme });

@@ -263,18 +263,34 @@ export interface CaseEntry {
   has_draft: boolean;
   /** Identifier in requests. */
   id: string;
+  /** Whether `problem`, `silhouette` or `overview` is still computed: a later list has them. */
+  is_pending: boolean;
   /** Time of its last change, milliseconds since 1970. */
   modified_ms: number;
   /** Its name in results. */
   name: string;
+  overview: CaseOverview | null;
   /** Path within the folder, for display. */
   path: string;
-  /** Its first mistake; null if there is none, or if there was no time to check. */
+  /** Its first mistake; null if there is none, or if it is not yet checked. */
   problem: string | null;
-  verdict: CaseVerdict | null;
-  is_pending: boolean;
-  overview: CaseOverview | null;
   silhouette: Silhouette | null;
+  verdict: CaseVerdict | null;
+}
+
+/** The judge's verdict on a case by the soft string, and key numbers of the operation that it is about. */
+export interface CaseOverview {
+  /** Bit depth of that operation, m. */
+  bit_depth_m: number;
+  check: WorstCheck | null;
+  /** Hook load of that operation without the block, N. */
+  hook_load_N: number | null;
+  /** Reason why an operation has no answer. */
+  message: string | null;
+  /** The operation of the check: `drill`, ...; without a check, the first. */
+  operation: string;
+  /** Surface torque of that operation, N m. */
+  surface_torque_N_m: number | null;
 }
 
 /** A value of a case file. */
@@ -1299,6 +1315,20 @@ export interface ShownUnit {
   symbol: string | null;
 }
 
+/** The well of a case as a line, for a small drawing. */
+export interface Silhouette {
+  /** Measured depth of the bit in the first operation, m. */
+  bit_md_m: number;
+  /** Measured depths, m. */
+  md_m: number[];
+  /** Measured depth of the deepest casing shoe, m; null without casing. */
+  shoe_md_m: number | null;
+  /** True vertical depths, m. */
+  tvd_m: number[];
+  /** Distances along the direction of the closure, m. */
+  vertical_section_m: number[];
+}
+
 /** An operation by a model, as in the `summary.json` of a run, which has more. */
 export type Solved = SolvedScalars & {
   /** The checks, the most severe first. */
@@ -1597,6 +1627,12 @@ export type Work = {
   shard?: string | null;
 };
 
-export interface CaseOverview { bit_depth_m: number; check: WorstCheck | null; hook_load_N: number | null; message: string | null; operation: string; surface_torque_N_m: number | null; }
-export interface WorstCheck { sentence: string; severity: Severity; verdict: string; }
-export interface Silhouette { bit_md_m: number; md_m: number[]; shoe_md_m: number | null; tvd_m: number[]; vertical_section_m: number[]; }
+/** The most severe check of a case. */
+export interface WorstCheck {
+  /** Its sentence, and the number of other errors and warnings. For a case without an error or a warning, it is the limit with the least reserve. */
+  sentence: string;
+  /** Its severity. */
+  severity: Severity;
+  /** The verdict in words: `OK`, `marginal`, `below required factor`, `exceeded`. */
+  verdict: string;
+}
