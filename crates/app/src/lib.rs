@@ -19,6 +19,7 @@ mod limits;
 mod link_file;
 mod listeners;
 mod live;
+mod overview;
 mod places;
 mod results;
 mod server;

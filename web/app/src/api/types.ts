@@ -263,15 +263,34 @@ export interface CaseEntry {
   has_draft: boolean;
   /** Identifier in requests. */
   id: string;
+  /** Whether `problem`, `silhouette` or `overview` is still computed: a later list has them. */
+  is_pending: boolean;
   /** Time of its last change, milliseconds since 1970. */
   modified_ms: number;
   /** Its name in results. */
   name: string;
+  overview: CaseOverview | null;
   /** Path within the folder, for display. */
   path: string;
-  /** Its first mistake; null if there is none, or if there was no time to check. */
+  /** Its first mistake; null if there is none, or if it is not yet checked. */
   problem: string | null;
+  silhouette: Silhouette | null;
   verdict: CaseVerdict | null;
+}
+
+/** The judge's verdict on a case by the soft string, and key numbers of the operation that it is about. */
+export interface CaseOverview {
+  /** Bit depth of that operation, m. */
+  bit_depth_m: number;
+  check: WorstCheck | null;
+  /** Hook load of that operation without the block, N. */
+  hook_load_N: number | null;
+  /** Reason why an operation has no answer. */
+  message: string | null;
+  /** The operation of the check: `drill`, ...; without a check, the first. */
+  operation: string;
+  /** Surface torque of that operation, N m. */
+  surface_torque_N_m: number | null;
 }
 
 /** A value of a case file. */
@@ -1309,6 +1328,20 @@ export interface ShownUnit {
   symbol: string | null;
 }
 
+/** The well of a case as a line, for a small drawing. */
+export interface Silhouette {
+  /** Measured depth of the bit in the first operation, m. */
+  bit_md_m: number;
+  /** Measured depths, m. */
+  md_m: number[];
+  /** Measured depth of the deepest casing shoe, m; null without casing. */
+  shoe_md_m: number | null;
+  /** True vertical depths, m. */
+  tvd_m: number[];
+  /** Distances along the direction of the closure, m. */
+  vertical_section_m: number[];
+}
+
 /** An operation by a model, as in the `summary.json` of a run, which has more. */
 export type Solved = SolvedScalars & {
   /** The checks, the most severe first. */
@@ -1592,3 +1625,13 @@ export type Work = {
   /** Share of the points to drill, such as `1/4`. */
   shard?: string | null;
 };
+
+/** The most severe check of a case. */
+export interface WorstCheck {
+  /** Its sentence, and the number of other errors and warnings. For a case without an error or a warning, it is the limit with the least reserve. */
+  sentence: string;
+  /** Its severity. */
+  severity: Severity;
+  /** The verdict in words: `OK`, `marginal`, `below required factor`, `exceeded`. */
+  verdict: string;
+}
