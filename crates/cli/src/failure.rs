@@ -85,6 +85,9 @@ fn way_out(refused: &FolderRefused) -> String {
         FolderRefused::Occupied { .. } => {
             "name another folder with -o, or add --overwrite to replace its contents".to_owned()
         }
+        FolderRefused::Foreign { .. } => {
+            "name another folder with -o, or add --overwrite to replace these files".to_owned()
+        }
         FolderRefused::Unfinished { path, kind } => {
             let way_on = match kind.as_str() {
                 "run" => format!("run the case with --resume {}", path.display()),

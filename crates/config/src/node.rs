@@ -174,6 +174,11 @@ fn syntax_error(error: &toml::de::Error, text: &str, source: usize, offset: usiz
                 short(written)
             ));
     }
+    if let Some((written, help)) = number_otherwise(text, span.start) {
+        return Diagnostic::error(format!("`{}` is not a number of TOML", short(written)))
+            .at(place, "expected a number, or text in quotes")
+            .help(help);
+    }
     if let Some(written) = typographic(text, span.start) {
         let plain = written.trim_matches(TYPOGRAPHIC);
         return Diagnostic::error("typographic quotes do not quote a text in TOML")
@@ -192,12 +197,42 @@ fn syntax_error(error: &toml::de::Error, text: &str, source: usize, offset: usiz
     diagnostic
 }
 
+/// The value of the line at a place of the text, without its comment.
+fn value_of_line(text: &str, at: usize) -> Option<&str> {
+    let line_start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
+    let (_, value) = text[line_start..].lines().next()?.split_once('=')?;
+    Some(value.split('#').next()?.trim())
+}
+
+/// A number as people write it and TOML does not, and how it is written: `0,2`, `.2`, `2.`,
+/// `8-1/2`, `5 1/2`.
+fn number_otherwise(text: &str, at: usize) -> Option<(&str, String)> {
+    let written = value_of_line(text, at)?;
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let unsigned = written.trim_start_matches(['+', '-']);
+    let sign = &written[..written.len() - unsigned.len()];
+    let help = if let Some((whole, rest)) = unsigned.split_once(',') {
+        (digits(whole) && digits(rest)).then(|| format!("write {sign}{whole}.{rest}"))
+    } else if let Some((whole, rest)) = unsigned.split_once('.') {
+        match (digits(whole), digits(rest)) {
+            (false, true) if whole.is_empty() => Some(format!("write {sign}0.{rest}")),
+            (true, false) if rest.is_empty() => Some(format!("write {sign}{whole}.0")),
+            _ => None,
+        }
+    } else {
+        let (head, below) = unsigned.split_once('/')?;
+        let parts: Vec<&str> = head.split(['-', ' ']).filter(|part| !part.is_empty()).collect();
+        let is_fraction = digits(below) && matches!(parts.len(), 1 | 2);
+        (is_fraction && parts.into_iter().all(digits))
+            .then(|| format!("write it in quotes with its unit, such as \"{written} in\""))
+    };
+    Some((written, help?))
+}
+
 /// A length with a foot or inch mark as the value of a line, `8.5"` with double quotes or without,
 /// and its correct notation.
 fn foot_or_inch_mark(text: &str, at: usize) -> Option<(&str, String)> {
-    let line_start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
-    let (_, value) = text[line_start..].lines().next()?.split_once('=')?;
-    let value = value.split('#').next()?.trim();
+    let value = value_of_line(text, at)?;
     let within = value.strip_prefix('"').and_then(|rest| rest.strip_suffix('"'));
     let written = within.into_iter().chain([value]).find(|written| {
         written.ends_with(['"', '\'']) && Dimension::Diameter.read(written).is_ok()
@@ -217,17 +252,13 @@ const TYPOGRAPHIC: [char; 6] = ['“', '”', '„', '‘', '’', '‚'];
 
 /// The value of a line that begins with a typographic quotation mark.
 fn typographic(text: &str, at: usize) -> Option<&str> {
-    let line_start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
-    let (_, value) = text[line_start..].lines().next()?.split_once('=')?;
-    let value = value.split('#').next()?.trim();
+    let value = value_of_line(text, at)?;
     value.starts_with(TYPOGRAPHIC).then_some(value)
 }
 
 /// A number as the value of a line whose thousands are separated by commas.
 fn parted_thousands(text: &str, at: usize) -> Option<&str> {
-    let line_start = text.get(..at)?.rfind('\n').map_or(0, |end| end + 1);
-    let (_, value) = text[line_start..].lines().next()?.split_once('=')?;
-    let value = value.split('#').next()?.trim();
+    let value = value_of_line(text, at)?;
     let mut groups = value.split(',');
     let is_number = |group: &str| !group.is_empty() && group.bytes().all(|b| b.is_ascii_digit());
     let first = groups.next().is_some_and(|group| is_number(group) && group.len() <= 3);

@@ -233,7 +233,12 @@ pub(crate) fn goes_down(
     let goes_down = descent.is_some() || operation.axial_velocity_m_per_s() > 0.0;
     let limit_N = 0.0 - model.rig.push_N();
     let check = || Check::reported(CheckKind::GoesDown, severity).value(hook_load_N).limit(limit_N);
-    (goes_down || !hangs).then(check)
+    // A level string that does not move hangs with nothing but what rounding leaves.
+    let is_pushed = match model.rig.snubbing_force_N {
+        Some(_) => !hangs,
+        None => hook_load_N < -least_N,
+    };
+    (goes_down || is_pushed).then(check)
 }
 
 /// The same for a dynamic run that goes slack only at times.

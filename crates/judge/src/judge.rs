@@ -95,6 +95,7 @@ impl Judge {
         let mut checks = self.at_rest(model, operation, &solution);
         let bows = bows_in_vertical_hole(model, operation, solution.profile);
         checks.checks.extend(numerics::equilibrium(&profile.convergence, bows));
+        checks.checks.extend(numerics::helix(&profile.convergence, &profile.scalars));
         let element = profile.convergence.buckled_element.as_ref();
         checks.checks.extend(numerics::element_buckles(element));
         let deepest = profile.deepest_penetration_m;

@@ -188,6 +188,9 @@ kinds! {
         BendingWavesLeftOut = bending_waves_left_out, "Bending waves left out": Torque;
         /// Sum of lateral forces on components that the soft string leaves out.
         LateralForceLeftOut = lateral_force_left_out, "Lateral force left out": Force;
+        /// Hook load of a string that is pushed down as a helix, against that on a finer mesh; no
+        /// limit where the finer mesh has no equilibrium.
+        HelixNotResolved = helix_not_resolved, "Helix not resolved": Force;
         /// An equilibrium that a small disturbance would leave.
         UnstableEquilibrium = unstable_equilibrium, "Unstable equilibrium": Ratio;
         /// A physically implausible number of the hydraulics, such as the pressure of a sliver of

@@ -4,7 +4,7 @@ use wholestring::{
     dynamics::{Numerics, TableUse},
     model::Model,
     operation::Operation,
-    outcome::{Profile, Solution},
+    outcome::{Profile, Scalars, Solution},
     rod::buckled_element::BuckledElement,
     sizing::SizeReason,
     statics::stiff::Convergence,
@@ -46,6 +46,23 @@ pub fn equilibrium(convergence: &Convergence, bows_in_vertical_hole: bool) -> Op
     let check = unstable(convergence.stable, bows_in_vertical_hole)?;
     Some(match convergence.rolls_at_md_m {
         Some(md_m) => check.at(md_m),
+        None => check,
+    })
+}
+
+/// Part of the drag by which the hook load of two meshes may differ: a tenth of what the friction
+/// factor of a well is uncertain by.
+const RESOLVED: f64 = 0.02;
+
+/// Reports a helix whose hook load another mesh would change, or have none of.
+pub(crate) fn helix(convergence: &Convergence, scalars: &Scalars) -> Option<Check> {
+    let finer_N = convergence.finer_helix?.hook_load_N;
+    let hook_load_N = scalars.hook_load_N;
+    let most_N = RESOLVED * scalars.axial_friction_N.abs();
+    let is_resolved = finer_N.is_some_and(|finer_N| (finer_N - hook_load_N).abs() <= most_N);
+    let check = Check::reported(CheckKind::HelixNotResolved, Severity::Warning).value(hook_load_N);
+    (!is_resolved).then(|| match finer_N {
+        Some(finer_N) => check.limit(finer_N),
         None => check,
     })
 }

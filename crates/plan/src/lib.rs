@@ -21,7 +21,7 @@ pub mod wear;
 
 pub use broomstick::{
     Broomstick, BroomstickPoint, BroomstickTask, BucklingWeight, ExpectedLoads, Frictions,
-    KindFriction, LevelFriction, PointAnswer, Statics, bit_depths_m,
+    KindFriction, LevelFriction, PointAnswer, Statics, StringStation, bit_depths_m,
 };
 pub use campaign::{Campaign, CampaignPart, CampaignSettings, Share};
 pub use setup::{PlanError, Setup, WallFriction};

@@ -422,3 +422,32 @@ fn a_lock_up_is_where_its_own_friction_has_it() {
     let expected = expected.expect("a point").checks.checks[0].clone();
     assert!(expected.md_m.expect("a place") < together_m - 50.0, "{expected:?} {together_m}");
 }
+
+/// A station of the string has its depth and its tension: in vertical hole the buoyant weight below
+/// it, in a tangent less the friction of that weight (closed forms, exact but for rounding).
+#[test]
+fn stations_along_the_string() {
+    let area = std::f64::consts::FRAC_PI_4 * (OD_M * OD_M - ID_M * ID_M);
+    let weight_N_per_m = (STEEL - MUD) * area * G;
+    for inclination in [0.0_f64, 50.0] {
+        let stations = [[0.0, inclination, 45.0], [1000.0, inclination, 45.0]];
+        let setup = setup(&stations, StringSpec::from_bit(pipe()), 0.2159);
+        let depths_m = vec![1000.0];
+        let broomstick = broomstick(&setup, levels([0.1, 0.2, 0.3]), depths_m, Statics::Soft);
+        let trip = Operation::trip_out(1000.0);
+        let found = broomstick.along(&trip, 30.0).expect("an answer");
+        let depths: Vec<f64> = found.iter().map(|station| station.md_m).collect();
+        assert_eq!(depths.len(), 35);
+        assert_eq!([depths[0], depths[1], depths[33], depths[34]], [0.0, 30.0, 990.0, 1000.0]);
+        let (sin, cos) = inclination.to_radians().sin_cos();
+        for station in &found {
+            let below_m = 1000.0 - station.md_m;
+            let tension_N = weight_N_per_m * below_m * (cos + 0.2 * sin);
+            assert!((station.tension_N - tension_N).abs() < 1e-6, "{station:?}");
+            assert!((station.tvd_m - station.md_m * cos).abs() < 1e-9);
+            assert!((station.side_force_N_per_m + weight_N_per_m * sin).abs() < 1e-9);
+            assert_eq!(station.component, "drill pipe");
+            assert_eq!(station.yield_use, None, "the material has no strength");
+        }
+    }
+}

@@ -78,13 +78,13 @@ pub use modes::{
 };
 pub use operation_tables::OperationTables;
 pub use plan::{
-    PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION, PLAN_HYDRAULICS, PLAN_LIMITS,
-    PLAN_MEASURED, PLAN_OVERLAY, PLAN_PEAKS, PLAN_PEAKS_TIME, PLAN_SURFACE_LIMITS, PLAN_VERSION,
-    PLAN_WEAR, PlanBuckling, PlanCheck, PlanDamage, PlanDensity, PlanFatigue, PlanFatigueHour,
-    PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanMeasured, PlanOperation, PlanOverlay,
-    PlanOverlayDifference, PlanOverlayRow, PlanPeak, PlanPeakOf, PlanPeakSample, PlanPoint,
-    PlanSummary, PlanSurfaceLimit, PlanWear, plan_broomstick_table, plan_limits_table,
-    plan_peaks_time_table,
+    PLAN_ALONG, PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FATIGUE, PLAN_FRICTION, PLAN_HYDRAULICS,
+    PLAN_LIMITS, PLAN_MEASURED, PLAN_OVERLAY, PLAN_PEAKS, PLAN_PEAKS_TIME, PLAN_SURFACE_LIMITS,
+    PLAN_VERSION, PLAN_WEAR, PlanBuckling, PlanCheck, PlanDamage, PlanDensity, PlanFatigue,
+    PlanFatigueHour, PlanFriction, PlanGel, PlanHistory, PlanHydraulics, PlanMeasured,
+    PlanOperation, PlanOverlay, PlanOverlayDifference, PlanOverlayRow, PlanPeak, PlanPeakOf,
+    PlanPeakSample, PlanPoint, PlanStation, PlanSummary, PlanSurfaceLimit, PlanWear,
+    plan_broomstick_table, plan_limits_table, plan_peaks_time_table,
 };
 pub use reach::{
     REACH, REACH_LIMITS, REACH_VERSION, ReachCheck, ReachLimit, ReachMargin, ReachOfFriction,

@@ -2,7 +2,7 @@
 
 use std::{env, fs, path::Path};
 
-use wholestring_results::{ColumnSpec, TABLES};
+use wholestring_results::{ColumnSpec, SCHEMA_VERSION, TABLES};
 
 fn rows(columns: &[ColumnSpec]) -> String {
     let mut text = String::from("| column | unit | meaning |\n|---|---|---|\n");
@@ -27,6 +27,7 @@ fn with_table(page: &str, name: &str, table: &str) -> String {
 fn the_page_lists_every_column() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/src/outputs.md");
     let found = fs::read_to_string(&path).unwrap().replace("\r\n", "\n");
+    assert!(found.contains(&format!("version of this layout, now {SCHEMA_VERSION}: ")));
     let mut expected = found.clone();
     for (name, columns) in TABLES {
         expected = with_table(&expected, name, &rows(columns));

@@ -38,12 +38,20 @@ const STUDY: &str = "a study";
 /// # Errors
 /// It contains none.
 pub fn results_kind(folder: &Path) -> Result<&'static str, Error> {
-    kind_of(folder).map(|kind| kind.noun).or_else(|error| {
-        let mut entries = fs::read_dir(folder).into_iter().flatten().flatten();
-        // A study contains the folders of its sweeps.
-        let is_study = entries.any(|entry| (SWEEP.is_in)(&entry.path()));
-        if is_study { Ok(STUDY) } else { Err(error) }
+    kind_of(folder).map(|kind| kind.noun).or_else(|error| match sweeps(folder).is_empty() {
+        true => Err(error),
+        false => Ok(STUDY),
     })
+}
+
+/// Names of the folders of the sweeps of a study, in order.
+fn sweeps(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let sweeps = entries.filter(|entry| (SWEEP.is_in)(&entry.path()));
+    let mut names: Vec<String> =
+        sweeps.map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
 }
 
 /// Reads the summary of the results in a folder for its errors alone: those of its layout and
@@ -62,10 +70,15 @@ pub fn check_summary(folder: &Path) -> Result<(), ResultsError> {
 /// It contains none with pages and pictures.
 pub(crate) fn kind_of(folder: &Path) -> Result<&'static ResultsKind, Error> {
     KINDS.iter().find(|kind| (kind.is_in)(folder)).ok_or_else(|| {
-        Error::BadInput(format!(
-            "{} holds no results: neither summary.json nor sweep.csv is there",
-            folder.display()
-        ))
+        let place = folder.display();
+        Error::BadInput(match &sweeps(folder)[..] {
+            [] => format!("{place} holds no results: neither summary.json nor sweep.csv is there"),
+            names => format!(
+                "{place} holds a study; name the folder of one of its sweeps, {}: `wholestring \
+                 study` with --resume makes the page of the study again",
+                names.join(", ")
+            ),
+        })
     })
 }
 

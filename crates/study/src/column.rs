@@ -265,6 +265,7 @@ pub(crate) fn check_positive(value: f64, at: &Spanned<Amount>, reader: &mut Read
     if value > 0.0 && value.is_finite() {
         return Some(value);
     }
-    let message = format!("a tolerance of {} allows nothing", number_text(value));
-    Diagnostic::error(message).at(at.place, "expected more than zero").refuse(reader)
+    Diagnostic::error("the tolerance allows nothing")
+        .at(at.place, "expected more than zero")
+        .refuse(reader)
 }

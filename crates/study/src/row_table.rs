@@ -262,6 +262,14 @@ impl RowTable {
         let expected = si(self.expected.optional()?)?;
         let mut least = si(self.at_least.optional()?)?;
         let mut most = si(self.at_most.optional()?)?;
+        if let (Some(lower), Some(upper), Some(at)) = (least, most, self.at_most.given())
+            && lower > upper
+        {
+            return Diagnostic::error("no number is both `at_least` and `at_most`")
+                .at(at.place, "it is less than `at_least`")
+                .help("the two are the ends of an interval: the lesser is `at_least`")
+                .refuse(reader);
+        }
         if let Some(at) = self.tolerance.optional()? {
             let Some(expected) = expected else {
                 unheeded([("tolerance", Some(at.place))], "used with `expected`", reader);
@@ -271,7 +279,7 @@ impl RowTable {
                 Some(share) => share * expected.abs(),
                 None => Amount::si(at, dimension, reader)?,
             };
-            let within = check_positive(within, at, reader)?;
+            check_positive(at.value.share().unwrap_or(within), at, reader)?;
             least =
                 Some(least.map_or(expected - within, |least: f64| least.max(expected - within)));
             most = Some(most.map_or(expected + within, |most: f64| most.min(expected + within)));

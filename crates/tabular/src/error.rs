@@ -68,10 +68,19 @@ pub enum TableErrorKind {
     /// The bytes are not text.
     #[error("the file is not text; a survey as CSV or as an Excel workbook was expected")]
     NotText,
+    /// A file of another format.
+    #[error("the file is {what}; a table as CSV or as an Excel workbook was expected")]
+    OtherFormat {
+        /// What it is.
+        what: &'static str,
+    },
     /// A workbook that cannot be read.
-    #[error("the workbook cannot be read ({reason}); an .xlsx or .xls file was expected")]
+    #[error(
+        "the workbook cannot be read, because {reason}; a whole .xlsx or .xls file was expected, \
+         as a spreadsheet program saves it"
+    )]
     NotAWorkbook {
-        /// Message of the reader of workbooks.
+        /// What is wrong with it, as a clause.
         reason: String,
     },
     /// A limit on an amount is exceeded.
@@ -165,6 +174,19 @@ pub enum TableErrorKind {
         found: String,
         /// Its dimension, if it is a unit.
         is: Option<Dimension>,
+    },
+    /// Headings or units in the middle of the table give a column another unit.
+    #[error(
+        "the {column} is in '{above}' above and in '{below}' from here on; expected one table with \
+         one unit in a column: keep its rows and cut off the others"
+    )]
+    UnitChanges {
+        /// The column.
+        column: Column,
+        /// Symbol of the unit of the table.
+        above: &'static str,
+        /// Symbol of the unit in the row.
+        below: &'static str,
     },
     /// A heading and the row of units contradict each other.
     #[error("the {column} is in '{header}' by its header and in '{row}' by the row of units")]

@@ -24,6 +24,7 @@
 //! ```
 #![warn(missing_docs)]
 
+mod bit;
 mod cells;
 mod columns;
 mod error;
@@ -37,7 +38,8 @@ mod stabiliser;
 mod survey;
 mod tally;
 
-pub use cells::{decode::single_bytes, number::is_null};
+pub use bit::is_bit;
+pub use cells::{decode::single_bytes, number::is_null, table::is_comment};
 pub use columns::column::Column;
 pub use error::{Place, TableError, TableErrorKind};
 pub use held::{Held, held, read_tally};
@@ -45,7 +47,7 @@ pub use read::{read, read_all, read_as, read_csv, read_excel, read_readings};
 pub use reading_checks::CHANNEL_WORDS;
 pub use readings::{ImportedReading, ImportedReadings};
 pub use row_names::row_names;
-pub use sheets::{SheetText, is_workbook, sheets};
+pub use sheets::{SheetText, UNCALCULATED, is_workbook, sheets};
 pub use stabiliser::is_stabiliser;
 pub use survey::{
     doubts::{StationDoubt, station_doubts},

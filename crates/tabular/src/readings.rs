@@ -85,7 +85,7 @@ pub(crate) fn read(table: &Table, layout: Layout) -> Result<ImportedReadings, Ta
         let at = table.rows.get(layout.data.saturating_sub(1)).map(whole);
         return Err(table.source.error(none("no column is a weight or a torque"), at));
     }
-    let rows = data_rows(table, &layout, &READINGS, &mut notes);
+    let rows = data_rows(table, &layout, &READINGS, &mut notes)?;
     let reader = Reader { table, style: style(table, &layout, &rows)? };
     if reader.style == Style::Comma {
         notes.push("a comma is read as the decimal sign".to_owned());

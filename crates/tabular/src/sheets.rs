@@ -18,7 +18,7 @@ pub struct SheetText {
 }
 
 /// Text for the result of a formula that was never calculated.
-const UNCALCULATED: &str = "a formula that was never calculated";
+pub const UNCALCULATED: &str = "a formula that was never calculated";
 
 /// Whether a file with these first bytes is a workbook or another archive, regardless of its name.
 pub fn is_workbook(head: &[u8]) -> bool {

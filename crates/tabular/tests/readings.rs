@@ -303,3 +303,17 @@ fn a_number_cut_at_its_thousands_is_refused() {
     let read = read_readings(more.as_bytes(), "a.csv").expect("empty cells at the end");
     assert_eq!(read.readings.len(), 2);
 }
+
+/// Rows below headings in another unit are not read in the first.
+#[test]
+fn units_do_not_change_within_a_table() {
+    let head = "Bit depth (ft),Pick-up (kN)\n1000,300\n";
+    let refused =
+        |rest: &str| read_readings(format!("{head}{rest}").as_bytes(), "a.csv").expect_err(rest);
+    let error = refused("Bit depth (m),Pick-up (kN)\n2000,400\n").to_string();
+    assert!(error.contains("the bit depth is in 'ft' above and in 'm' from here on"), "{error}");
+    let error = refused("Bit depth (ft),Pick-up (klbf)\n2000,400\n").to_string();
+    assert!(error.contains("in 'kN' above and in 'klbf' from here on"), "{error}");
+    let again = format!("{head}Bit depth (ft),Pick-up (kN)\n2000,400\n");
+    assert_eq!(read_readings(again.as_bytes(), "a.csv").expect("readings").readings.len(), 2);
+}

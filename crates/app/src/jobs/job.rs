@@ -164,7 +164,7 @@ impl Ended {
 
 fn refusal(refused: &FolderRefused) -> Option<Refusal> {
     match refused {
-        FolderRefused::Occupied { .. } => Some(Refusal::Occupied),
+        FolderRefused::Occupied { .. } | FolderRefused::Foreign { .. } => Some(Refusal::Occupied),
         FolderRefused::Unfinished { .. } => Some(Refusal::Unfinished),
         FolderRefused::Busy { .. } | FolderRefused::ShareBusy { .. } => Some(Refusal::Busy),
         FolderRefused::AllOccupied { .. } => None,

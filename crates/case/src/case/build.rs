@@ -83,6 +83,7 @@ fn build(name: &str, root: &Entries, files: &dyn Files, reader: &mut Reader) -> 
     let reached = tables.check_reaches(&bore, reader);
     let spec = tables.string_spec(steel.as_ref(), reader);
     bore.check_turns(spec.as_ref(), tables.rotates(), reader);
+    tables.check_injector(spec.as_ref(), rig.as_ref(), reader);
 
     let bottom = tables.bottom(spec.as_ref(), reader);
     let operations = tables.operations(bottom.bit.as_ref(), listed, bit_depth_m, reader);

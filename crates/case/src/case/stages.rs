@@ -7,6 +7,7 @@ use wholestring::{
     mud::Mud,
     operation::Operation,
     outcome::ModelKind,
+    rig::Rig,
     rock::DrillingSpec,
     string::{DrillString, Material, StringSpec},
     well::{Hole, Path, USUAL_DOGLEG_RAD_PER_M, endured_dogleg_rad_per_m},
@@ -195,6 +196,21 @@ impl<'a> Tables<'a> {
     pub(super) fn rotates(&self) -> bool {
         let kinds = self.case.operation.get().and_then(|operation| operation.kind.get());
         kinds.is_none_or(|kinds| kinds.iter().any(|kind| kind.value.rotates()))
+    }
+
+    /// Warns of operations that rotate coiled tubing.
+    pub(super) fn check_injector(
+        &self,
+        spec: Option<&StringSpec>,
+        rig: Option<&Rig>,
+        reader: &mut Reader,
+    ) {
+        if let (Some(spec), Some(rig)) = (spec, rig)
+            && assembly::is_injected(spec, rig)
+            && let Some(operation) = self.case.operation.get()
+        {
+            operation.check_injector(reader);
+        }
     }
 
     /// Operations.

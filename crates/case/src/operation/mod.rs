@@ -176,6 +176,19 @@ impl OperationTable {
         Some(())
     }
 
+    /// Warns of operations that rotate coiled tubing, which an injector head does not.
+    pub(crate) fn check_injector(&self, reader: &mut Reader) {
+        let kinds = self.kind.get().map_or(&[][..], |kinds| kinds);
+        let Some(turning) = kinds.iter().find(|kind| kind.value.rotates()) else { return };
+        Diagnostic::warning("an injector head does not rotate coiled tubing")
+            .at(turning.place, format!("{} rotates the string", turning.value.words()))
+            .help(
+                "`snubbing_force` and a string without joints are those of coiled tubing: it \
+                 drills with \"slide\"; pipe that has joints needs `joint_od`",
+            )
+            .report(reader);
+    }
+
     /// Warns of a pull on a bit that is on bottom all the time.
     fn check_pull(&self, kinds: &[Spanned<OperationKind>], reader: &mut Reader) {
         if let Some(entry) = self.bit_pull.given()

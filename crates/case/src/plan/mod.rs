@@ -29,6 +29,7 @@ use crate::{
         dynamic::DynamicTable,
         factors::FactorsTable,
     },
+    string::assembly::is_injected,
     uncertain::{
         Uncertain,
         table::{self, UncertainTable},
@@ -63,7 +64,8 @@ table! {
         bit_depths: Vec<Spanned<f64>> = optional(List::of(depth("1500 m"), "depths", MAX_DEPTHS));
         /// Operations at every depth, with the set points of [operation]. Default: "trip_out",
         /// "trip_in", "rotate_off_bottom" and the drilling kind of [operation]. Off bottom a case
-        /// without `rpm` turns with 60 rev/min.
+        /// without `rpm` turns with 60 rev/min; coiled tubing (no joints, a rig with
+        /// `snubbing_force`) does not rotate.
         operations: Vec<Spanned<OperationKind>> = optional(List::or_one(
             KindRule, "operations", OperationKind::ALL.len(),
         ));
@@ -233,7 +235,7 @@ pub(crate) fn build(table: &PlanTable, beside: &Beside<'_>, reader: &mut Reader)
     let Beside { setup, own, gel_strength_Pa, files, units } = *beside;
     let frictions = frictions(table, setup, reader);
     let depths_m = depths_m(table, setup, own.first()?.bit_depth_m, reader);
-    let operations = operations(table, own, reader);
+    let operations = operations(table, setup, own, reader);
     let models = table.models.get()?;
     once_each(models, Statics::name, reader)?;
     let limits = limits(table, setup, reader);
@@ -418,12 +420,21 @@ fn usual(own: &[Operation], kind: OperationKind) -> Option<Operation> {
     Some(operation)
 }
 
-fn operations(table: &PlanTable, own: &[Operation], reader: &mut Reader) -> Option<Vec<Operation>> {
+fn operations(
+    table: &PlanTable,
+    setup: &Setup,
+    own: &[Operation],
+    reader: &mut Reader,
+) -> Option<Vec<Operation>> {
     use OperationKind::{RotateOffBottom, TripIn, TripOut};
     let Some(listed) = table.operations.optional()? else {
         let drilling = own.iter().filter(|one| one.kind.on_bottom()).copied();
-        let usual = [TripOut, TripIn, RotateOffBottom].map(|kind| usual(own, kind));
-        return Some(usual.into_iter().flatten().chain(drilling).collect());
+        let off_bottom: &[OperationKind] = match is_injected(&setup.string, &setup.rig) {
+            true => &[TripOut, TripIn],
+            false => &[TripOut, TripIn, RotateOffBottom],
+        };
+        let usual = off_bottom.iter().filter_map(|kind| usual(own, *kind));
+        return Some(usual.chain(drilling).collect());
     };
     once_each(&listed.value, OperationKind::name, reader)?;
     let mut operations = Vec::new();

@@ -1,8 +1,11 @@
 //! The components one above the other, as long as the bit is deep.
 
-use wholestring::string::{
-    AssemblyError, ComponentLength, ComponentSpec, DrillString, Material, NEAREST_BEND_M,
-    StringSpec,
+use wholestring::{
+    rig::Rig,
+    string::{
+        AssemblyError, ComponentLength, ComponentSpec, DrillString, Material, NEAREST_BEND_M,
+        StringSpec,
+    },
 };
 
 use wholestring_config::prelude::*;
@@ -43,6 +46,13 @@ pub(crate) fn longest(spec: &StringSpec) -> Option<&ComponentSpec> {
         ComponentLength::Metres(length_m) => length_m,
     };
     spec.components.iter().max_by(|a, b| length_m(a).total_cmp(&length_m(b)))
+}
+
+/// Whether the string is coiled tubing in an injector head, which does not rotate it: pipe without
+/// joints, and a rig that pushes.
+pub(crate) fn is_injected(spec: &StringSpec, rig: &Rig) -> bool {
+    let has_joints = longest(spec).is_none_or(|pipe| pipe.joints.is_some());
+    rig.snubbing_force_N.is_some() && !has_joints
 }
 
 /// The mistake of a component that runs to the surface although other components are above it.

@@ -7,7 +7,7 @@ use wholestring::{
 };
 
 use wholestring_config::prelude::*;
-use wholestring_tabular::is_stabiliser;
+use wholestring_tabular::{is_bit, is_stabiliser};
 
 use crate::{string::component::ComponentTable, well::hole::HoleTable};
 
@@ -129,6 +129,17 @@ pub(crate) fn check_gauge(
             diagnostic = diagnostic.at(place, label);
         }
         diagnostic.help("the od of a bit is its gauge, not that of its shank").report(reader);
+    }
+    for (span, table) in string.spans().zip(components).skip(1) {
+        if is_bit(&span.component.name) {
+            Diagnostic::warning(format!(
+                "`{}` is called a bit and is not the lowest component",
+                short(&span.component.name)
+            ))
+            .at(table.place, "the components are listed from the bit up")
+            .help("a string has one bit; are these two strings, one above the other?")
+            .report(reader);
+        }
     }
     for (span, table) in string.spans().zip(components) {
         let part = span.component;

@@ -171,7 +171,7 @@ impl WellTable {
                 Diagnostic::warning(format!(
                     "the survey ends at {}, {} above the bit",
                     reader.shown(Dimension::Length, last_m),
-                    reader.shown(Dimension::Length, (beyond_m * 100.0).round() / 100.0)
+                    reader.shown(Dimension::Length, beyond_m)
                 ))
                 .at(place, "the hole is assumed to continue straight to here")
                 .report(reader);

@@ -6,7 +6,7 @@ use wholestring_plan::{FrictionLevel, Statics};
 
 use crate::{
     common::{change::rows, changed, read},
-    each_warned, refused,
+    each_warned, refused, warned,
 };
 
 /// The example with a plan.
@@ -16,6 +16,28 @@ pub(crate) fn planned(keys: &str) -> String {
 
 pub(crate) fn accepted(keys: &str) -> Case {
     read(&planned(keys)).unwrap_or_else(|report| panic!("{keys}\n{report}"))
+}
+
+/// Coiled tubing from an injector head, in an operation; without one of the head's keys it is pipe.
+fn coiled_tubing([operation, rotation, push]: [&str; 3]) -> String {
+    changed("catalogue = \"5-1/2 in 21.90 lb/ft S-135\"", "od = \"60.3 mm\"\nid = \"50.7 mm\"")
+        .replace("kind = \"drill\"", &format!("kind = \"{operation}\""))
+        .replace("rpm = 70", rotation)
+        .replace("[rig] ", &format!("[rig]\n{push}\n#"))
+}
+
+#[test]
+fn coiled_tubing_does_not_rotate() {
+    use OperationKind::{RotateOffBottom, Slide, TripIn, TripOut};
+    let planned = |push: &str| {
+        let case =
+            read(&coiled_tubing(["slide", "#", push])).unwrap_or_else(|report| panic!("{report}"));
+        case.plan.operations.iter().map(|one| one.kind).collect::<Vec<_>>()
+    };
+    assert_eq!(planned("snubbing_force = \"200 kN\""), [TripOut, TripIn, Slide]);
+    assert_eq!(planned(""), [TripOut, TripIn, RotateOffBottom, Slide]);
+    let rotated = ["rotate_off_bottom", "rpm = 70", "snubbing_force = \"200 kN\""];
+    warned("warn_coiled_tubing_rotates", read(&coiled_tubing(rotated)));
 }
 
 #[test]

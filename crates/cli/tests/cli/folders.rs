@@ -92,7 +92,45 @@ fn a_named_folder_with_another_case_is_refused() {
     fs::remove_file(desk.path("results/.wholestring")).unwrap();
     let (status, _, stderr) = soft(&desk, &other);
     assert_eq!(status, 2);
-    assert!(stderr.contains("an earlier version"), "{stderr}");
+    assert!(stderr.contains("results without a record of their case"), "{stderr}");
+}
+
+/// Files of a user with the names of results, in a folder that no command wrote to.
+#[test]
+fn files_of_somebody_else_are_not_replaced() {
+    let desk = Desk::new();
+    let own = ["time.csv", "report.html", "frames.parts/mine.csv", "in/nodes.csv"];
+    let put = |name: &str| {
+        let path = desk.path(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, "mine").unwrap();
+    };
+    own.iter().for_each(|name| put(name));
+    put("swept/friction=0.1/nodes.csv");
+    put("plain/notes.txt");
+    let stderr = refused(&desk, &[&["run", "slant.toml", "-o", "."], &SOFT[..]].concat());
+    assert_eq!(
+        stderr,
+        "error: . holds frames.parts, report.html, time.csv, which results would replace, and no \
+         record that they are results\n\
+         name another folder with -o, or add --overwrite to replace these files\n"
+    );
+    let sweep = args("sweep slant.toml --vary friction=0.1 -o swept");
+    let stderr = refused(&desk, &[&sweep[..], &SOFT].concat());
+    assert!(stderr.contains("swept/friction=0.1 holds nodes.csv, which"), "{stderr}");
+    let plan = refused(&desk, &args("plan slant.toml -o ."));
+    assert!(plan.contains("report.html"), "{plan}");
+    for name in own.iter().chain(&["swept/friction=0.1/nodes.csv"]) {
+        assert_eq!(fs::read(desk.path(name)).unwrap(), b"mine", "{name}");
+    }
+    // The default folder of results is passed over, and files of other names are in nobody's way.
+    put("out/Straight slant/time.csv");
+    assert_eq!(soft(&desk, &[]).0, 0);
+    assert!(desk.path("out/Straight slant-2/summary.json").exists());
+    assert_eq!(soft(&desk, &["-o", "plain"]).0, 0);
+    // The user agrees to it.
+    assert_eq!(soft(&desk, &["-o", "in", "--overwrite"]).0, 0);
+    assert!(!desk.path("in/nodes.csv").exists());
 }
 
 #[test]

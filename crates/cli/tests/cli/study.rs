@@ -5,7 +5,7 @@ use std::{fs, path::Path, process::Output};
 use insta::assert_snapshot;
 
 use crate::{
-    desk::{Desk, args, masked, transcript},
+    desk::{Desk, args, masked, text as text_of, transcript},
     sweep::split,
 };
 
@@ -88,6 +88,13 @@ fn the_small_study_meets_its_closed_forms() {
     }
     let markdown = read(&desk, "tables/dynamics.md");
     assert!(markdown.contains("| soft string | dynamics |"), "{markdown}");
+    // The study is no result of one kind; its sweeps are.
+    for command in ["report", "plot", "export"] {
+        let output = desk.run(&[command, "results"]);
+        assert_eq!(output.status.code(), Some(2), "{command}");
+        let stderr = text_of(&output.stderr);
+        assert!(stderr.contains("results holds a study; name the folder of one of"), "{stderr}");
+    }
 }
 
 /// A study of the test's own case: two wells in two sweeps, and maps of contact.
@@ -378,6 +385,23 @@ fn mistakes_are_underlined_in_the_study() {
 
     fs::write(&file, text.replace("slant-30.toml\"", "slant-31.toml\"")).unwrap();
     assert_snapshot!(transcript(&study(&desk, &[])));
+}
+
+/// A figure and a row of a table that nothing is solved for are mistakes of the study; where all
+/// cases are changed, they are only mentioned.
+#[test]
+fn what_shows_nothing_is_a_mistake() {
+    let desk = desk();
+    let file = desk.path("friction-on-a-slant.toml");
+    let text = fs::read_to_string(&file).unwrap();
+    let figure = "[[figure]]\nname = \"none\"\ntitle = \"None\"\noperations = \"back_ream\"\n\
+                  x = \"friction\"\ny = \"hook_load_N\"\n";
+    fs::write(&file, format!("{text}\n{figure}")).unwrap();
+    let output = study(&desk, &[]);
+    assert_eq!(output.status.code(), Some(2));
+    let stderr = text_of(&output.stderr);
+    assert!(stderr.contains("figure `none` has no results: it shows back_ream, and"), "{stderr}");
+    assert!(!desk.path("results").exists());
 }
 
 /// All cases of the article's campaign are valid, and its table has the numbers of the article.

@@ -119,6 +119,11 @@ pub(super) fn choose<'a>(
         .collect();
     let count = if all > 1 { format!(", of {all} in the file") } else { String::new() };
     notes.push(Note::Read(format!("{}{count}", taken.join(", "))));
+    if let (None, Some(id)) = (scenario, case.and_then(|case| case.get("scenario_id"))) {
+        notes.push(Note::Warning(format!(
+            "the case refers to the scenario '{id}', which the file does not have"
+        )));
+    }
     Ok(Chosen { well, wellbore, case, scenario, path })
 }
 
@@ -128,6 +133,11 @@ fn candidates(rows: &Rows) -> Result<Vec<Candidate<'_>>, ImportError> {
     let table = if of_cases { Table::Case } else { Table::SurveyHeader };
     let mut found: Vec<Candidate> = Vec::new();
     for row in rows.of(table) {
+        let is_listed =
+            |one: &Candidate| one.levels[2].or(one.levels[4]).is_some_and(|other| other.same(row));
+        if found.iter().any(is_listed) {
+            continue;
+        }
         let above = |table, keys: &[&str]| parent(rows, table, row, keys);
         let well = above(Table::Well, &["well_id"])?;
         let wellbore = above(Table::Wellbore, &["well_id", "wellbore_id"])?;

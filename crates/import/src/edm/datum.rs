@@ -24,9 +24,9 @@ pub(super) struct Depths {
 
 impl Depths {
     /// Determines it from the depth of the first station, and adds a note on the datum.
-    pub(super) fn found(
-        reader: &mut Reader,
-        chosen: &Chosen,
+    pub(super) fn found<'a>(
+        reader: &mut Reader<'a>,
+        chosen: &Chosen<'a>,
         first: Found,
     ) -> Result<Self, ImportError> {
         let datum = datum(reader, chosen)?;
@@ -71,14 +71,19 @@ impl Depths {
 }
 
 /// The datum of the case, or the default one of the well.
-fn datum<'a>(reader: &Reader<'a>, chosen: &Chosen<'a>) -> Result<Option<Row<'a>>, ImportError> {
-    for row in [chosen.case, chosen.scenario].into_iter().flatten() {
-        if row.get("datum_id").is_some() {
-            let found = parent(reader.rows, Table::Datum, row, &["well_id", "datum_id"])?;
-            if found.is_some() {
-                return Ok(found);
-            }
+fn datum<'a>(reader: &mut Reader<'a>, chosen: &Chosen<'a>) -> Result<Option<Row<'a>>, ImportError> {
+    for (what, row) in [("case", chosen.case), ("scenario", chosen.scenario)] {
+        let Some((row, id)) = row.and_then(|row| Some((row, row.get("datum_id")?))) else {
+            continue;
+        };
+        let found = parent(reader.rows, Table::Datum, row, &["well_id", "datum_id"])?;
+        if found.is_some() {
+            return Ok(found);
         }
+        reader.warning(format!(
+            "the {what} refers to the datum '{id}', which the file does not have; depths may begin \
+             elsewhere"
+        ));
     }
     let Some(id) = chosen.well.and_then(|well| well.get("well_id")) else { return Ok(None) };
     let own = || reader.rows.of(Table::Datum).filter(move |row| row.get("well_id") == Some(id));

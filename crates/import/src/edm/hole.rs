@@ -147,6 +147,14 @@ fn place(reader: &mut Reader, sections: &mut [Section], depths: Depths) {
         let length_m = section.length.si();
         match section.shoe.map(|shoe| shoe.si() + shift_m) {
             Some(shoe_m) if (shoe_m - above_m - length_m).abs() > SAME_M => {
+                if shoe_m < length_m - SAME_M {
+                    reader.warning(format!(
+                        "the section of line {} has a length of {} and a shoe at {}: the shoe is used",
+                        section.row.line(),
+                        section.length.text(),
+                        section.shoe.map_or(String::new(), |shoe| shoe.text()),
+                    ));
+                }
                 section.bottom_m = shoe_m;
                 section.top_m = (shoe_m - length_m).max(0.0);
             }
@@ -231,7 +239,8 @@ fn block(
     };
     block.push("to", Value::quantity(end, unit), origin);
     diameter(reader, section, &mut block)?;
-    if let Some(friction) = row.number("cof")? {
+    // A zero means that no value was entered.
+    if let Some(friction) = row.number("cof")?.filter(|friction| *friction != 0.0) {
         if !(0.0..=MAX_FRICTION).contains(&friction) {
             let kind = ImportErrorKind::OutOfRange {
                 what: "friction factor".to_owned(),

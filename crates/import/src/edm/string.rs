@@ -80,6 +80,15 @@ fn from_the_bit_up<'a>(
     if numbered.iter().all(|(number, _)| number.is_some()) {
         let key = |number: Option<f64>| number.unwrap_or(f64::NAN);
         numbered.sort_by(|a, b| key(a.0).total_cmp(&key(b.0)));
+        let twice = numbered.windows(2).find(|two| two[0].0 == two[1].0);
+        if let Some([(Some(number), first), (_, second)]) = twice {
+            let places = [first, second].map(|row| row.place("sequence_no"));
+            reader.warning(format!(
+                "two components have the sequence_no {number} ({}, {}): both are in the string, in \
+                 the order of the file",
+                places[0], places[1]
+            ));
+        }
     } else {
         reader.assumed("components are in file order, because not all have a sequence_no");
     }

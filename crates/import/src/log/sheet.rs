@@ -1,7 +1,7 @@
 //! A log in a sheet of a workbook, as recorders export them: read as tab-separated text with one
 //! line per row of the sheet.
 
-use wholestring_tabular::SheetText;
+use wholestring_tabular::{SheetText, UNCALCULATED};
 
 use super::{
     contents::contents_of,
@@ -77,12 +77,29 @@ fn opened<'a>(
     Ok(log)
 }
 
-/// Adds the place in the sheet to an error.
+/// Adds to an error the place in the sheet, and what of the sheet was not read where that may be
+/// the reason.
 fn in_sheet(error: ImportError, sheet: &SheetText) -> ImportError {
+    let kind = match error.kind() {
+        ImportErrorKind::NotANumber { what, found } if found == UNCALCULATED => {
+            ImportErrorKind::Refused(format!(
+                "the {what} is a formula whose result was never calculated; open the workbook in \
+                 Excel or LibreOffice and save it"
+            ))
+        }
+        kind @ (ImportErrorKind::Missing { .. } | ImportErrorKind::Refused(_))
+            if error.place().is_none() && !sheet.notes.is_empty() =>
+        {
+            ImportErrorKind::Refused(format!("{kind} ({})", sheet.notes.join("; ")))
+        }
+        kind => kind.clone(),
+    };
     let line = error.place().and_then(|place| place.strip_prefix("line "));
-    let Some(line) = line else { return error };
-    let place = format!("sheet '{}', row {line}", sheet.name);
-    ImportError::new(error.file(), Some(place), error.kind().clone())
+    let place = match line {
+        Some(line) => Some(format!("sheet '{}', row {line}", sheet.name)),
+        None => error.place().map(str::to_owned),
+    };
+    ImportError::new(error.file(), place, kind)
 }
 
 /// Returns the first rows of a sheet as lines of tab-separated cells; no cell contains a tab.

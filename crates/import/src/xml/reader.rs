@@ -255,6 +255,19 @@ impl<'a> Xml<'a> {
             quick_xml::Error::Encoding(_) => {
                 return self.ill_formed("its text is not UTF-8 as declared, or is truncated");
             }
+            // The library's words are about bytes; a reader knows lines and tags.
+            quick_xml::Error::Escape(_) => {
+                return self.ill_formed(
+                    "an '&' does not begin the name of a character; '&amp;' was expected",
+                );
+            }
+            quick_xml::Error::Syntax(_) => {
+                return self
+                    .ill_formed("it ends, or goes wrong, within a tag; is the file cut off?");
+            }
+            quick_xml::Error::InvalidAttr(_) => {
+                return self.ill_formed("an attribute is not written as NAME=\"VALUE\"");
+            }
             error => {
                 let reason: String = error.to_string().chars().take(LONGEST_REASON).collect();
                 return self.ill_formed(&reason);

@@ -118,3 +118,24 @@ fn joints_listed_one_by_one_are_one_component() {
     "#);
     assert!(notes(&imported).contains("60 joints, line 3 to line 62, are one component"));
 }
+
+/// Two tallies, one below the other, are not one string, in whatever order.
+#[test]
+fn two_bits_are_two_strings() {
+    let head = "Component,OD (in),ID (in),Length (ft)\n";
+    let bha = "PDC bit,8.5,,1\nCollar,6.75,2.8,90\nDrill pipe,5,4.276,1000\n";
+    for between in ["", head, "BHA 8,,,\nComponent,OD (in),ID (in),Length (ft)\n"] {
+        let text = format!("{head}{bha}{between}{bha}");
+        for order in [None, Some("bit-first")] {
+            let choices = match order {
+                Some(order) => Choices::default().pick("order", order),
+                None => Choices::default(),
+            };
+            let error = refused_with(&text, &choices);
+            assert!(error.contains("two rows are bits, 'PDC bit' in line 2"), "{error}");
+        }
+    }
+    let metres = format!("{head}{bha}Component,OD (in),ID (in),Length (m)\nCollar,8,3,27\n");
+    let error = refused(&metres);
+    assert!(error.contains("the length is in 'ft' above and in 'm' from here on"), "{error}");
+}

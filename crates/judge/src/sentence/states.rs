@@ -99,6 +99,18 @@ impl Words<'_> {
                  dynamics have it",
                 text::force(value)
             ),
+            CheckKind::HelixNotResolved => {
+                let finer = match check.limit {
+                    Some(finer_N) => format!("is {}", text::force(finer_N)),
+                    None => "is not found".to_owned(),
+                };
+                format!(
+                    "The helix that is pushed down is too near lock-up for a number: the hook load \
+                     is {}, and {finer} with elements half as long; the soft string's lock-up \
+                     decides",
+                    text::force(value)
+                )
+            }
             CheckKind::UnstableEquilibrium if check.severity == Severity::Note => format!(
                 "The string bows between its contacts, as every string does that is compressed in \
                  a vertical hole; where it rotates, it rolls up the wall{place}. The dynamics compute \

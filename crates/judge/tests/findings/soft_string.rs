@@ -46,6 +46,17 @@ fn a_hook_load_below_zero_is_an_error() {
     }
 }
 
+/// A level string that turns in its place hangs with nothing: what rounding leaves is no push.
+#[test]
+fn a_level_string_at_rest_is_not_pushed() {
+    let level = five_inch(&[[0.0, 90.0, 0.0], [500.0, 90.0, 0.0]], 0.2159, 0.3, 260.0);
+    let found = soft_checks(&level, &operation(RotateOffBottom, 500.0));
+    none(&found, CheckKind::GoesDown);
+    let up = five_inch(&[[0.0, 100.0, 0.0], [500.0, 100.0, 0.0]], 0.2159, 0.3, 260.0);
+    let found = soft_checks(&up, &operation(RotateOffBottom, 500.0));
+    assert!(only(&found, CheckKind::GoesDown).is_some(), "its weight pushes it out of the hole");
+}
+
 /// With a rig that snubs, a push is a choice: nothing is reported up to its force, an error beyond
 /// it, and its push reaches the bit.
 #[test]

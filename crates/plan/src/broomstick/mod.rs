@@ -5,12 +5,14 @@
 //! [soft](wholestring::statics::soft) or a [stiff](wholestring::statics::stiff) string. A
 //! broomstick also includes the weight on bit under which the string begins to buckle.
 
+mod along;
 mod answer;
 mod buckling_weight;
 mod expected;
 mod friction;
 mod point;
 
+pub use along::StringStation;
 pub use buckling_weight::BucklingWeight;
 pub use expected::ExpectedLoads;
 pub use friction::{Frictions, KindFriction, LevelFriction};

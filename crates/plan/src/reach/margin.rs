@@ -25,8 +25,8 @@ pub struct Margin {
     pub load: f64,
     /// Upper bound of the load; NaN without compression.
     pub bound: f64,
-    /// The margin: one or less, zero at the limit, negative beyond, those of rig and strength no less
-    /// than [`LEAST_MARGIN`]; minus infinity for a string that is locked up.
+    /// The margin: one or less, zero at the limit, negative beyond, no less than [`LEAST_MARGIN`];
+    /// minus infinity for a string that is locked up.
     pub margin: f64,
     /// Measured depth of the smallest margin, m; `None` for limits at the surface.
     pub at_md_m: Option<f64>,
@@ -42,8 +42,11 @@ const LESS: f64 = 1e-3;
 /// A distance larger than the rounding of a depth, m.
 const JUST_M: f64 = 1e-6;
 
-/// Least margin of a limit of rig or string that is not locked up: where tension leaves a pipe no
-/// capacity, its load exceeds it without bound.
+/// Part of the string's buoyed weight below which nothing hangs but what rounding leaves.
+const HANGS: f64 = 1e-6;
+
+/// Least margin of a string that is not locked up: where tension leaves a pipe no capacity, its load
+/// exceeds it without bound.
 pub const LEAST_MARGIN: f64 = -10.0;
 
 /// Relative difference by rounding of two ways to the same load.
@@ -140,11 +143,11 @@ impl At<'_> {
         };
         Ok(match limit {
             DepthLimit::HookLoadZero => {
-                margin_of(scalars.hook_load_N, 0.0, share(scalars.hook_load_N, self.hangs_N()))
+                margin_of(scalars.hook_load_N, 0.0, self.share(scalars.hook_load_N, self.hangs_N()))
             }
             DepthLimit::PushSpent => {
                 let load_N = scalars.hook_load_N + rig.push_with_block_N();
-                margin_of(load_N, 0.0, share(load_N, self.hangs_N() + rig.push_with_block_N()))
+                margin_of(load_N, 0.0, self.share(load_N, self.hangs_N() + rig.push_with_block_N()))
             }
             DepthLimit::PushAbsorbed => {
                 let arrives = self.arrives()?;
@@ -204,6 +207,15 @@ impl At<'_> {
     fn hangs_N(&self) -> f64 {
         let scalars = &self.profile.scalars;
         scalars.hook_load_N - scalars.axial_friction_N - self.operation.tension_at_bit_N()
+    }
+
+    /// Returns a load as a part of the hanging weight; where that is not positive but for rounding,
+    /// as of a string that lies level, its sign.
+    fn share(&self, load_N: f64, hangs_N: f64) -> f64 {
+        match hangs_N > HANGS * self.model.buoyed_weight_N() {
+            true => (load_N / hangs_N).max(LEAST_MARGIN),
+            false => load_N.signum(),
+        }
     }
 
     /// Returns the margin where compression over the critical load is largest, among the places
@@ -288,9 +300,4 @@ fn has_vertical_hole(model: &Model, bit_depth_m: f64) -> bool {
     let stations = model.well.path.stations().iter().map(|station| station.md_m);
     let mut depths = stations.filter(|md_m| *md_m <= bit_depth_m).chain([JUST_M, bit_depth_m]);
     depths.any(|md_m| is_steep(&Place::above(model, bit_depth_m, md_m), shape))
-}
-
-/// Returns a load as a part of the hanging weight; where that is not positive, its sign.
-fn share(load_N: f64, hangs_N: f64) -> f64 {
-    if hangs_N > 0.0 { load_N / hangs_N } else { load_N.signum() }
 }

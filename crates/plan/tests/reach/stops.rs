@@ -347,3 +347,21 @@ fn a_pipe_without_capacity_is_not_locked_up() {
     let least = strength.margins.last().expect("a margin").margin;
     assert_eq!(least, LEAST_MARGIN);
 }
+
+/// A string that lies level hangs with nothing: its margin is no quotient of rounding.
+#[test]
+fn a_level_string_has_margins_of_sense() {
+    let file = file("S5_reach.json");
+    let level = setup(&file["inputs"], &[[0.0, 90.0], [1000.0, 90.0]], 0.3);
+    let settings = ReachSettings { to_m: 3e3, depths: 6, ..ReachSettings::from_depth(500.0) };
+    let found = reach(&level, &Operation::trip_in(0.0), &settings).expect("a reach");
+    let margins = found.curves.iter().flat_map(|curve| &curve.margins);
+    for margin in margins.filter(|margin| margin.margin.is_finite()) {
+        assert!((LEAST_MARGIN..=1.0).contains(&margin.margin), "{margin:?}");
+    }
+    let hangs = found.curves.iter().find(|curve| curve.limit == DepthLimit::HookLoadZero);
+    let hangs = hangs.expect("a limit of the hook load");
+    assert!(
+        hangs.margins.iter().all(|margin| margin.margin == -1.0 || margin.margin.is_infinite())
+    );
+}

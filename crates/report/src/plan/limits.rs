@@ -85,20 +85,24 @@ pub(super) fn factors(plan: &Plan, display: DisplayUnits<'_>) -> Option<StudyPar
             vec![(kind.label().to_owned(), Verdict::None), (two(required), Verdict::None)];
         cells.extend(operations.iter().map(|words| {
             match of_kind().find(|limit| operation(limit) == *words) {
-                Some(PlanCheck { check, .. }) => (
-                    format!("{} {}", two(check.factor), check.verdict.words()),
-                    Verdict::Judged(check.severity),
-                ),
+                Some(PlanCheck { check, .. }) => {
+                    let place = check.md_m.map(|md_m| format!(", {}", display.depth(md_m)));
+                    let (factor, verdict) = (two(check.factor), check.verdict.words());
+                    let text = format!("{factor} {verdict}{}", place.unwrap_or_default());
+                    (text, Verdict::Judged(check.severity))
+                }
                 None => (String::new(), Verdict::None),
             }
         }));
         cells
     };
     let rows: Vec<_> = kinds(plan).into_iter().map(row).collect();
-    let mut caption = "Least factor, capacity over load, of all depths and frictions. Marginal: \
+    let mut caption =
+        "Least factor, capacity over load, of all depths and frictions, and its place \
+        in the string. Marginal: \
         the required factor is met by less than a tenth; exceeded: the load is larger than the \
         capacity. An empty cell: no load."
-        .to_owned();
+            .to_owned();
     let unchecked = plan.texts(&plan.summary.unchecked, display.unit_set());
     let unchecked: Vec<String> = unchecked.collect();
     if !unchecked.is_empty() {

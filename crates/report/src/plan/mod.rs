@@ -1,5 +1,6 @@
 //! Contents of the page of a plan, and its pictures.
 
+mod along;
 mod broomstick;
 mod buckling;
 mod campaign;
@@ -11,6 +12,7 @@ mod mud;
 mod overlay;
 mod page;
 mod peaks;
+mod roadmap;
 mod tables;
 
 pub use levels::{STROKES as FRICTION_STROKES, plan_friction_label};
@@ -19,7 +21,7 @@ pub use page::{PLAN_PICTURES, plan_html, plan_plots};
 
 use wholestring::{operation::OperationKind, well::FrictionLevel};
 use wholestring_results::{
-    PlanPeak, PlanPeakSample, PlanSummary, PlanSurfaceLimit, UncertainTables,
+    PlanPeak, PlanPeakSample, PlanStation, PlanSummary, PlanSurfaceLimit, UncertainTables,
 };
 use wholestring_units::UnitSet;
 
@@ -33,6 +35,8 @@ pub struct Plan {
     pub head: PageHead,
     /// The answer.
     pub summary: PlanSummary,
+    /// The string along the hole, operation after operation; empty where the folder has none.
+    along: Vec<PlanStation>,
     /// Levels of friction, from the least to the most.
     levels: [Level; 3],
     /// Time histories of the peaks of the summary, in their order.
@@ -40,14 +44,19 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// The page of a plan and of its events against time in `plan_peaks_time.parquet`; it opens in
+    /// The page of a plan, of the string in `plan_along.parquet` and of its events against time in `plan_peaks_time.parquet`; it opens in
     /// these units, by default in those of the case.
-    pub fn new(summary: PlanSummary, samples: &[PlanPeakSample], units: Option<UnitSet>) -> Self {
+    pub fn new(
+        summary: PlanSummary,
+        along: Vec<PlanStation>,
+        samples: &[PlanPeakSample],
+        units: Option<UnitSet>,
+    ) -> Self {
         let title = format!("{}: plan", summary.case);
         let head = PageHead::new(title, units, Some(&summary.settings), facts(&summary));
         let levels = FrictionLevel::ALL.map(|level| Level::new(&summary, level));
         let histories = levels::histories(&summary.peaks, samples);
-        Self { head, summary, levels, histories }
+        Self { head, summary, along, levels, histories }
     }
 
     /// Warning of an interrupted plan.

@@ -1,6 +1,9 @@
 //! The page of a plan as one self-contained file.
 
-use super::{Plan, broomstick, buckling, campaign, limits, measured, mud, overlay, peaks, tables};
+use super::{
+    Plan, along, broomstick, buckling, campaign, limits, measured, mud, overlay, peaks, roadmap,
+    tables,
+};
 use crate::{
     Plot, StudyPage, StudyPart,
     plots::{DisplayUnits, named},
@@ -13,8 +16,8 @@ const ABOUT: &str = "Hook load and surface torque against the depth of the bit: 
     the surface at each depth, in each operation with low, expected and high friction. The \
     workbook plan.xlsx has every table, with charts of its own.";
 
-/// Title and caption of each picture.
-const PICTURES: [(&str, &str, &str); 6] = [
+/// Name, title and caption of the pictures of operations against depth.
+const BROOMSTICKS: [(&str, &str, &str); 2] = [
     (
         "hook_load",
         "Hook load",
@@ -30,6 +33,10 @@ const PICTURES: [(&str, &str, &str); 6] = [
          allowable torque: top drive, make-up and torsional yield of the topmost pipe, each over \
          its factor.",
     ),
+];
+
+/// Name, title and caption of the other pictures.
+const PICTURES: [(&str, &str, &str); 4] = [
     (
         "buckling_weight",
         "Weight to buckle",
@@ -67,9 +74,9 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
         description += &format!("\n\n{message}");
     }
     let plots = plan_plots(plan, units);
-    let pictures = PICTURES.iter().filter_map(|(name, title, caption)| {
+    let picture = |(name, title, caption): &(&str, &str, &str)| {
         let plot = plots.iter().find(|plot| plot.name == *name)?;
-        let is_broomstick = ["hook_load", "torque"].contains(name);
+        let is_broomstick = BROOMSTICKS.iter().any(|broomstick| broomstick.0 == *name);
         let measured = match !plan.summary.measured.is_empty() && is_broomstick {
             true => " Diamonds: readings, grey where they are held out.",
             false => "",
@@ -85,9 +92,13 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
             files: (*name).to_owned(),
             painted: false,
         })
-    });
+    };
+    // Whether it can be done, then what the rig floor needs, then everything else.
     let mut parts: Vec<StudyPart> = limits::verdicts(plan, display).into_iter().collect();
-    parts.extend(pictures);
+    parts.extend(limits::factors(plan, display));
+    parts.extend(BROOMSTICKS.iter().filter_map(picture));
+    parts.extend(roadmap::table(plan, display));
+    parts.extend(PICTURES.iter().filter_map(picture));
     if let Some(samples) = plan.samples() {
         parts.extend(uncertain::inputs(samples));
         parts.extend(uncertain::bands(samples, display));
@@ -95,7 +106,6 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
     }
     parts.extend(measured::table(plan, display));
     parts.extend(overlay::table(plan, display));
-    parts.extend(limits::factors(plan, display));
     parts.extend(limits::nearest(plan, display));
     parts.extend(peaks::table(plan, display));
     parts.extend(campaign::parts(plan, display));
@@ -106,6 +116,7 @@ fn page(plan: &Plan, units: &str) -> StudyPage {
     parts.extend(tables::against_depth(plan, display));
     parts.extend(tables::buckling(plan, display));
     parts.extend(tables::mud(plan, display));
+    parts.extend(along::tables(plan, display));
     parts.extend(tables::without_answer(plan, display));
     StudyPage {
         program: plan.head.program.clone(),

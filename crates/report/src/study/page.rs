@@ -71,6 +71,8 @@ pub enum StudyPart {
         /// Paragraphs, separated by an empty line.
         text: String,
     },
+    /// A part that the reader unfolds.
+    Folded(Box<StudyPart>),
 }
 
 impl StudyPart {
@@ -80,6 +82,7 @@ impl StudyPart {
             Self::Figure { title, .. } | Self::Table { title, .. } | Self::Text { title, .. } => {
                 title
             }
+            Self::Folded(part) => part.title(),
         }
     }
 }
@@ -195,10 +198,23 @@ fn paragraphs(text: &str) -> String {
     blocks.map(|block| format!("<p>{}</p>\n", escaped(block))).collect()
 }
 
-/// A figure, a table or words, `index` of the page; its name begins with `prefix`.
+/// A section of the page, the `index`th; its name begins with `prefix`.
 fn part(index: usize, prefix: &str, part: &StudyPart) -> String {
-    let (title, caption, body, files, endings) = match part {
-        StudyPart::Figure { title, caption, figure, files, painted } => {
+    let heading = format!("<h2>{}</h2>", escaped(part.title()));
+    let within = match part {
+        StudyPart::Folded(content) => {
+            let within = contents(index, prefix, content);
+            format!("<details>\n<summary>{heading}</summary>\n{within}</details>\n")
+        }
+        content => format!("{heading}\n{}", contents(index, prefix, content)),
+    };
+    format!("<section id=\"{prefix}part-{index}\">\n{within}</section>\n")
+}
+
+/// A figure, a table or words, without its heading.
+fn contents(index: usize, prefix: &str, part: &StudyPart) -> String {
+    let (caption, body, files, endings) = match part {
+        StudyPart::Figure { title: _, caption, figure, files, painted } => {
             let body = match figure {
                 // The title is on the page already.
                 Some(figure) => {
@@ -212,22 +228,16 @@ fn part(index: usize, prefix: &str, part: &StudyPart) -> String {
             let endings = endings
                 .into_iter()
                 .filter(|ending| !files.is_empty() && (*ending != "png" || *painted));
-            (title, caption, body, files, endings.collect::<Vec<_>>())
+            (caption, body, files, endings.collect::<Vec<_>>())
         }
-        StudyPart::Table { title, caption, grid, files, endings } => (
-            title,
+        StudyPart::Table { title: _, caption, grid, files, endings } => (
             caption,
             format!("<div class=\"scrolls\">{}</div>", table(grid)),
             files,
             endings.to_vec(),
         ),
-        StudyPart::Text { title, text } => {
-            return format!(
-                "<section id=\"{prefix}part-{index}\">\n<h2>{}</h2>\n{}</section>\n",
-                escaped(title),
-                paragraphs(text)
-            );
-        }
+        StudyPart::Text { title: _, text } => return paragraphs(text),
+        StudyPart::Folded(content) => return contents(index, prefix, content),
     };
     let links: Vec<String> = endings
         .into_iter()
@@ -236,13 +246,7 @@ fn part(index: usize, prefix: &str, part: &StudyPart) -> String {
             format!("<a href=\"{address}\">{}</a>", ending.to_uppercase())
         })
         .collect();
-    format!(
-        "<section id=\"{prefix}part-{index}\">\n<h2>{}</h2>\n{body}\n{}<p \
-         class=\"note noprint\">{}</p>\n</section>\n",
-        escaped(title),
-        paragraphs(caption),
-        links.join(" · ")
-    )
+    format!("{body}\n{}<p class=\"note noprint\">{}</p>\n", paragraphs(caption), links.join(" · "))
 }
 
 /// A figure for a wide page and for a narrow one, there with its panels one below the other.

@@ -1,5 +1,6 @@
 //! The JSON file of a plan, `summary.json`, and its tables.
 
+mod along;
 mod broomstick;
 mod campaign;
 mod check;
@@ -7,7 +8,9 @@ mod hydraulics;
 mod measured;
 mod overlay;
 mod peaks;
+mod roadmap;
 
+pub use along::{PLAN_ALONG, PlanStation};
 pub use broomstick::{
     PLAN_BROOMSTICK, PLAN_BUCKLING, PLAN_FRICTION, PLAN_SURFACE_LIMITS, PlanBuckling, PlanFriction,
     PlanPoint, PlanSurfaceLimit, plan_broomstick_table,

@@ -1,7 +1,10 @@
 //! Values of the cells of a row.
 
 use wholestring::{
-    operation::OperationKind, outcome::ModelKind, statics::assembly::Touching, well::FrictionLevel,
+    operation::OperationKind,
+    outcome::{Buckling, ModelKind},
+    statics::assembly::Touching,
+    well::FrictionLevel,
 };
 use wholestring_judge::{CheckKind, DepthLimit, Severity, Verdict};
 use wholestring_vibration::torsional_stability::LiesBy;
@@ -229,6 +232,9 @@ named! {
     CheckKind: name, "a kind of check",
         |word| CheckKind::ALL.iter().copied().find(|kind| kind.name() == word);
     DepthLimit: name, "a limit of a reach", DepthLimit::named;
+    Buckling: name, "a state of buckling",
+        |word| [Buckling::None, Buckling::Sinusoidal, Buckling::Helical]
+            .into_iter().find(|state| state.name() == word);
     Verdict: words;
     LiesBy: name;
     Touching: name;

@@ -24,7 +24,7 @@ use std::{
 };
 
 use wholestring_judge::{CheckKind, Severity};
-use wholestring_plan::calibration::{Calibration, Settings};
+use wholestring_plan::calibration::{Calibration, Outliers, Settings};
 use wholestring_report as report;
 use wholestring_results::{CALIBRATION_VERSION, CalibrationSummary, Occupant, Texts, digest};
 use wholestring_units::UnitSet;
@@ -109,13 +109,10 @@ pub fn run(
              \"yes\" in the rows to fit"
         )));
     }
-    let first_settings = settings(&request.fit, request.cases, &data)?;
-    checks::by_string(&name, &mut data, &first_settings, units, cancellation)?;
-    // Determined again, because the readings that were left out may be the only ones of a part of
-    // the hole.
-    let settings = settings(&request.fit, request.cases, &data)?;
-    let search = Search { fit: &request.fit, cases: request.cases, observer, cancellation };
-    let mut robust = outliers::robust(&search, &data, &settings)?;
+    // What was left out may be the reason why there is no fit.
+    let about = format!("{name}: {}", data.notes.join("; "));
+    let found = prepared(request, &name, &mut data, units, observer, cancellation);
+    let (settings, search, mut robust) = found.inspect_err(|_| observer.note(&about))?;
     if let Some(check) = &request.check {
         dynamic::chosen(check, &data, units)?;
     }
@@ -126,7 +123,8 @@ pub fn run(
     let folder = &claimed.folder;
     let begun = Instant::now();
     let outliers::Fits { data, found, comparison } =
-        outliers::fits(&search, data, &settings, robust.as_mut())?;
+        outliers::fits(&search, data, &settings, robust.as_mut())
+            .inspect_err(|_| observer.note(&about))?;
     let check = match &request.check {
         Some(check) => Some((check, dynamic::chosen(check, &data, units)?)),
         None => None,
@@ -160,6 +158,26 @@ pub fn run(
     folder.write_file(toml::FRAGMENT, fragment.as_bytes())?;
     report::Calibration::gather(folder.path(), Some(units))?.write(folder, request.png)?;
     Ok(Outcome { summary, folder: folder.path().to_owned(), took, interrupted })
+}
+
+/// Checks the readings by the string, and returns the settings of the fit, its search and the fit
+/// with a robust loss; readings that contradict the string are left out.
+fn prepared<'a>(
+    request: &'a Request<'a>,
+    name: &str,
+    data: &mut Readings,
+    units: UnitSet,
+    observer: &'a dyn Observer,
+    cancellation: &'a CancellationToken,
+) -> Result<(Settings, Search<'a>, Option<Outliers>), Error> {
+    let first_settings = settings(&request.fit, request.cases, data)?;
+    checks::by_string(name, data, &first_settings, units, cancellation)?;
+    // Determined again, because the readings that were left out may be the only ones of a part of
+    // the hole.
+    let settings = settings(&request.fit, request.cases, data)?;
+    let search = Search { fit: &request.fit, cases: request.cases, observer, cancellation };
+    let robust = outliers::robust(&search, data, &settings)?;
+    Ok((settings, search, robust))
 }
 
 fn summary(

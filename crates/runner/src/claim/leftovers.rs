@@ -29,6 +29,25 @@ fn is_written(name: &str) -> bool {
         || KINDS.iter().any(|kind| kind.has_file(name))
 }
 
+/// Folders whose contents a command replaces whole.
+const PARTS: [&str; 2] = ["frames.parts", "time.parts"];
+
+/// Files and folders of a folder without a record that results would replace: somebody else's, such
+/// as a log of the rig that is called `time.csv`.
+pub(super) fn foreign(path: &Path) -> Result<Vec<String>, ResultsError> {
+    let is_replaced = |name: &str, is_folder: bool| match is_folder {
+        true => PARTS.contains(&name),
+        false => is_written(name),
+    };
+    let entries = entries(path)?.into_iter();
+    let mut names: Vec<String> = entries
+        .filter(|(name, _, is_folder)| is_replaced(name, *is_folder))
+        .map(|(name, ..)| name)
+        .collect();
+    names.sort();
+    Ok(names)
+}
+
 fn holds_results(path: &Path) -> bool {
     KNOWN.iter().any(|known| path.join(known).is_file())
 }

@@ -42,6 +42,8 @@ pub(crate) struct Claim<'a> {
     /// Whether the folder contains part of this work, even if the amount of work differs: a sweep
     /// may be resumed with other values.
     pub(crate) is_part: &'a dyn Fn(&Path) -> bool,
+    /// Folders within the folder that the work writes to.
+    pub(crate) within: &'a dyn Fn(&Path) -> Vec<PathBuf>,
     /// Any other reason why the work cannot use a folder that could be locked.
     pub(crate) refuse: &'a dyn Fn(&Path) -> Result<(), Error>,
 }
@@ -59,6 +61,8 @@ enum FolderState {
     Part(ResultsFolder, Hold),
     /// The same work was begun there.
     Unfinished,
+    /// It contains files of somebody else that the results would replace: the folder, their names.
+    Foreign(PathBuf, Vec<String>),
     /// It contains other results.
     Other(Option<Occupant>),
     /// Another program writes to it.
@@ -84,6 +88,7 @@ impl<'a> Claim<'a> {
             observer,
             is_unfinished: &|_| false,
             is_part: &|_| false,
+            within: &|_| Vec::new(),
             refuse: &|_| Ok(()),
         }
     }
@@ -103,6 +108,9 @@ impl Claim<'_> {
                     self.take(folder, hold)
                 }
                 FolderState::Unfinished => Err(self.unfinished(path)),
+                FolderState::Foreign(path, names) => {
+                    Err(FolderRefused::Foreign { path, names }.into())
+                }
                 FolderState::Other(there) => {
                     let path = path.clone();
                     let ours = |there: &Occupant| {
@@ -140,7 +148,7 @@ impl Claim<'_> {
                 }
                 FolderState::Unfinished => return Err(self.unfinished(&path)),
                 FolderState::Busy(there) if ours(&there) => return Err(busy(&path)),
-                FolderState::Other(_) | FolderState::Busy(_) => {}
+                FolderState::Foreign(..) | FolderState::Other(_) | FolderState::Busy(_) => {}
             }
         }
         Err(FolderRefused::AllOccupied { path: self.default.clone(), count: MAX_FOLDERS }.into())
@@ -172,6 +180,16 @@ impl Claim<'_> {
         let there =
             if folder.is_used() { leftovers::occupant(&folder, hold.occupant()) } else { None };
         Ok(match there {
+            None if self.output.existing != Existing::Overwrite => {
+                let places = [path.to_owned()].into_iter().chain((self.within)(path));
+                for place in places.filter(|place| place.is_dir()) {
+                    let names = leftovers::foreign(&place)?;
+                    if !names.is_empty() {
+                        return Ok(FolderState::Foreign(place, names));
+                    }
+                }
+                FolderState::Free(folder, hold)
+            }
             None => FolderState::Free(folder, hold),
             Some(Some(there)) if self.occupant.is_same(&there) => {
                 if self.output.existing == Existing::Protect && (self.is_unfinished)(path) {

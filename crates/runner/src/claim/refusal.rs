@@ -19,6 +19,19 @@ pub enum FolderRefused {
         alike: bool,
     },
 
+    /// It holds files that results would replace, and no record that they are results.
+    #[error(
+        "{} holds {}, which results would replace, and no record that they are results",
+        path.display(),
+        listed(names)
+    )]
+    Foreign {
+        /// The folder.
+        path: PathBuf,
+        /// Names of the files.
+        names: Vec<String>,
+    },
+
     /// The same work was begun there and not finished.
     #[error("{} holds an unfinished {kind} of this case", path.display())]
     Unfinished {
@@ -54,12 +67,23 @@ pub enum FolderRefused {
     },
 }
 
+/// Number of names that are listed; further ones are counted.
+const LISTED: usize = 4;
+
+fn listed(names: &[String]) -> String {
+    let shown = names.iter().take(LISTED).cloned().collect::<Vec<_>>().join(", ");
+    match names.len().saturating_sub(LISTED) {
+        0 => shown,
+        more => format!("{shown} and {more} more"),
+    }
+}
+
 fn whose(there: Option<&Occupant>, alike: bool) -> String {
     match there {
         Some(there) if alike => {
             format!("the {} \"{}\" with other settings or data", there.kind, there.name)
         }
         Some(there) => format!("the {} of another case, \"{}\"", there.kind, there.name),
-        None => "results of an earlier version, which did not record their case".to_owned(),
+        None => "results without a record of their case".to_owned(),
     }
 }

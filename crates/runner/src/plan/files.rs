@@ -8,6 +8,7 @@ use super::drawn::{pictures, with_mud, with_peaks};
 use crate::uncertain;
 
 /// Names of the tables, without their extensions.
+pub(super) const ALONG: &str = "plan_along";
 pub(super) const BROOMSTICK: &str = "plan_broomstick";
 pub(super) const BUCKLING: &str = "plan_buckling";
 pub(super) const FRICTION: &str = "plan_friction";
@@ -23,6 +24,8 @@ pub(super) const PEAKS_TIME: &str = "plan_peaks_time";
 
 /// Tables that are not completely contained in the summary.
 pub(super) struct Tables {
+    /// The string along the hole.
+    pub(super) along: Table,
     /// Limits.
     pub(super) limits: Table,
     /// Fatigue.
@@ -45,6 +48,7 @@ pub(super) fn write(
     summary: &PlanSummary,
     tables: &Tables,
 ) -> Result<(), ResultsError> {
+    folder.write_table(ALONG, &tables.along, true)?;
     folder.write_table(LIMITS, &tables.limits, true)?;
     folder.write_table(FATIGUE, &tables.fatigue, true)?;
     folder.write_table(WEAR, &tables.wear, true)?;

@@ -7,7 +7,7 @@ use wholestring_results::{PlanSummary, ResultsError, ResultsFolder, Table, Uncer
 use wholestring_units::UnitSet;
 
 use super::{
-    files::{BROOMSTICK, FATIGUE, PEAKS_TIME, Tables, WEAR, WORKBOOK},
+    files::{ALONG, BROOMSTICK, FATIGUE, PEAKS_TIME, Tables, WEAR, WORKBOOK},
     page,
     workbook::workbook,
 };
@@ -33,7 +33,7 @@ pub(super) fn write_again(folder: &ResultsFolder, units: Option<UnitSet>) -> Res
     let summary = PlanSummary::read(&folder.path().join("summary.json"))?;
     let peaks_time = table(folder.path(), PEAKS_TIME)?;
     let samples = rows_of(&peaks_time, &folder.path().join(format!("{PEAKS_TIME}.parquet")))?;
-    let plan = Plan::new(summary, &samples, units);
+    let plan = Plan::new(summary, read_rows(folder.path(), ALONG)?, &samples, units);
     let units = plan.head.units.parse().unwrap_or_default();
     plan.write(folder, false)?;
     let tables = tables(folder.path(), &plan.summary, peaks_time)?;
@@ -53,10 +53,11 @@ pub(crate) fn workbook_of(
 /// Tables of a plan that are not in its summary.
 fn tables(folder: &Path, summary: &PlanSummary, peaks_time: Table) -> Result<Tables, ResultsError> {
     // The table of limits is for programs only; the page reads them from the summary.
-    let [fatigue, wear] = [FATIGUE, WEAR].map(|name| table(folder, name));
+    let [along, fatigue, wear] = [ALONG, FATIGUE, WEAR].map(|name| table(folder, name));
     let samples = summary.uncertain.as_ref().map(|_| table(folder, UncertainTables::PLAN.samples));
     let samples = samples.transpose()?;
     Ok(Tables {
+        along: along?,
         limits: Table::new(Vec::new()),
         fatigue: fatigue?,
         wear: wear?,
@@ -68,7 +69,7 @@ fn tables(folder: &Path, summary: &PlanSummary, peaks_time: Table) -> Result<Tab
 /// Page data of a plan.
 pub(super) fn gather(folder: &Path, units: Option<UnitSet>) -> Result<Plan, ResultsError> {
     let summary = PlanSummary::read(&folder.join("summary.json"))?;
-    Ok(Plan::new(summary, &read_rows(folder, PEAKS_TIME)?, units))
+    Ok(Plan::new(summary, read_rows(folder, ALONG)?, &read_rows(folder, PEAKS_TIME)?, units))
 }
 
 // Contents of a folder with a plan.

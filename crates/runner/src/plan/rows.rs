@@ -11,14 +11,14 @@ use wholestring::{
 use wholestring_case::Case;
 use wholestring_judge::{Check, Judge, LimitSettings, Unchecked, surface_limits};
 use wholestring_plan::{
-    Broomstick, BroomstickPoint, BucklingWeight, FrictionLevel,
+    Broomstick, BroomstickPoint, BucklingWeight, FrictionLevel, StringStation,
     hydraulics::{EquivalentDensity, HydraulicsError, HydraulicsRow, hydraulics},
 };
 use wholestring_results::{
     PlanBuckling, PlanCheck, PlanDensity, PlanFriction, PlanHydraulics, PlanOperation, PlanPoint,
-    PlanSurfaceLimit,
+    PlanStation, PlanSurfaceLimit,
 };
-use wholestring_units::significant;
+use wholestring_units::{UnitSet, significant};
 
 pub(super) fn points(found: &[BroomstickPoint]) -> Vec<PlanPoint> {
     let point = |point: &BroomstickPoint| {
@@ -161,6 +161,42 @@ pub(super) fn limits(broomstick: &Broomstick, settings: &LimitSettings) -> Vec<P
             allowed: surface_limit.allowed,
         });
     limits.collect()
+}
+
+// The string along the hole.
+
+/// Spacing of the standard table, m: the length that dogleg severities refer to.
+const fn spacing_m(units: UnitSet) -> f64 {
+    match units {
+        UnitSet::Field => 100.0 * 0.3048,
+        UnitSet::Si | UnitSet::Metric => 30.0,
+    }
+}
+
+/// The stations of every operation with the bit at the deepest depth; none of an operation without
+/// an answer, whose reason is at its point.
+pub(super) fn along(case: &Case, broomstick: &Broomstick) -> Vec<PlanStation> {
+    let bit_depth_m = broomstick.depths_m().last().copied().unwrap_or_default();
+    let station = |station: StringStation| PlanStation {
+        operation: station.operation,
+        md_m: station.md_m,
+        tvd_m: station.tvd_m,
+        inclination_rad: station.inclination_rad,
+        dogleg_severity_rad_per_m: station.dogleg_severity_rad_per_m,
+        component: station.component,
+        tension_N: station.tension_N,
+        torque_N_m: station.torque_N_m,
+        side_force_N_per_m: station.side_force_N_per_m,
+        von_mises_stress_Pa: station.von_mises_stress_Pa,
+        yield_use: station.yield_use,
+        buckling: station.buckling,
+    };
+    let operations = case.plan.operations.iter();
+    let found = operations.filter_map(|operation| {
+        let operation = Operation { bit_depth_m, ..*operation };
+        broomstick.along(&operation, spacing_m(case.units)).ok()
+    });
+    found.flatten().map(station).collect()
 }
 
 // Parts of the case that a plan leaves out or takes otherwise, in phrases.

@@ -8,8 +8,8 @@ use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_judge::{CheckKind, Unchecked};
 use wholestring_plan::{Broomstick, BroomstickTask, Campaign, FrictionLevel, Statics};
 use wholestring_results::{
-    PLAN_VERSION, PlanBuckling, PlanCheck, PlanDamage, PlanOperation, PlanPoint, PlanSummary,
-    PlanWear, ResultsError, ResultsFolder, Row as _, Texts, plan_limits_table,
+    PLAN_VERSION, PlanBuckling, PlanCheck, PlanDamage, PlanOperation, PlanPoint, PlanStation,
+    PlanSummary, PlanWear, ResultsError, ResultsFolder, Row as _, Texts, plan_limits_table,
     plan_peaks_time_table,
 };
 
@@ -373,6 +373,7 @@ impl<'a> Work<'a> {
             unchecked.push(why);
             Vec::new()
         });
+        let along = rows::along(case, self.broomstick);
         let relevant = relevant(&of_section(&all_limits, self.broomstick.campaign()));
         let mut summary = PlanSummary {
             schema_version: PLAN_VERSION,
@@ -405,6 +406,7 @@ impl<'a> Work<'a> {
         }
         let events: Vec<_> = summary.peaks.iter().zip(&parts.histories).collect();
         let tables = Tables {
+            along: PlanStation::table(&along),
             limits: plan_limits_table(&all_limits),
             fatigue: PlanDamage::table(&totals.damage),
             wear: PlanWear::table(&totals.wear),

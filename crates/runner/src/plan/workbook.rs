@@ -36,6 +36,12 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
         ),
         (BUCKLING, &summary.buckling_table(), "Weights on bit under which the string buckles"),
         (SURFACE, &surface, "Limits of hook load and torque: the ends of lines in the charts"),
+        (
+            "Along the string",
+            &found.along,
+            "The string at every 30 m or 100 ft, with the bit at the deepest depth and the expected \
+             friction, by the soft string",
+        ),
         ("Fatigue", &found.fatigue, "Fatigue damage of the string by the campaign"),
         ("Casing wear", &found.wear, "Casing wear by the campaign"),
         ("Peaks", &peaks, "Peak loads of a string that is set in motion, from the dynamics"),
@@ -56,6 +62,7 @@ pub(super) fn workbook(summary: &PlanSummary, found: &Tables, units: UnitSet) ->
     let is_there = |name: &str| match name {
         HYDRAULICS => !summary.hydraulics.is_empty(),
         SURFACE => !summary.surface_limits.is_empty(),
+        "Along the string" => !found.along.columns().is_empty(),
         "Peaks" | "Peaks against time" => !summary.peaks.is_empty(),
         MEASURED => !summary.measured.is_empty(),
         OVERLAY => summary.overlay.is_some(),

@@ -1,5 +1,6 @@
 //! A study: a set of cases and sweeps, with the figures and tables to make of them.
 
+mod choice;
 mod columns;
 mod figure;
 mod frames;
@@ -80,6 +81,13 @@ pub fn run(
     let (study, options) = (request.study, &request.batch);
     let points = results::points(study, request.cases, request.overrides)?;
     let valid = CheckedPoints::check(points, options, observer, cancellation)?;
+    for empty in choice::without_results(study, &valid) {
+        // A change of all cases, such as another model, may be meant for a first look.
+        match request.overrides.is_empty() {
+            true => return Err(Error::bad_input(empty)),
+            false => observer.warning(&empty),
+        }
+    }
     let of_set = |path: &Path, set: usize| path.join(file_name(&study.sweeps[set].name));
     let claimed = valid.claim("study", &study.name, options, observer, &of_set)?;
     let folder = &claimed.folder;

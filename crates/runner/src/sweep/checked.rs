@@ -5,7 +5,7 @@ use std::{
     sync::{Mutex, PoisonError},
 };
 
-use wholestring::{dynamics::Effort, outcome::ModelKind};
+use wholestring::{dynamics::Effort, operation::OperationKind, outcome::ModelKind};
 use wholestring_case::{Case, Report};
 use wholestring_results::digest;
 
@@ -31,6 +31,8 @@ pub(super) struct Checked {
     pub(super) lift: bool,
     /// Number of answers: operations times models.
     pub(super) answers: usize,
+    /// Methods and operations that it solves.
+    pub(super) solves: (Vec<ModelKind>, Vec<OperationKind>),
     /// Files that are kept by default.
     pub(super) keep: Keep,
     /// The case itself, until it is solved, if reading it again would take as long as solving it.
@@ -56,6 +58,10 @@ impl Checked {
             cost: cost.sum(),
             lift: dynamic && case.tunes_hook_load,
             answers: case.operations.len() * case.models.len(),
+            solves: (
+                case.models.clone(),
+                case.operations.iter().map(|operation| operation.kind).collect(),
+            ),
             keep: Keep::of_itself(&case, false),
             simulated_s: efforts.iter().map(|effort| effort.end_s).sum(),
             case: Mutex::new((holds && !dynamic).then_some(case)),

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use wholestring::{operation::OperationKind, outcome::ModelKind};
 use wholestring_results::{Occupant, digest};
 
 use super::{
@@ -47,6 +48,14 @@ impl CheckedPoints {
         digest(&cases.collect::<Vec<_>>())
     }
 
+    /// Methods and operations that each case solves, with the number of its set.
+    pub(crate) fn solves(
+        &self,
+    ) -> impl Iterator<Item = (usize, &[ModelKind], &[OperationKind])> + '_ {
+        let cases = self.points.iter().zip(&self.checked);
+        cases.map(|(point, case)| (point.set, &case.solves.0[..], &case.solves.1[..]))
+    }
+
     /// Claims the folder of a batch with this name; `within` returns the folder of a numbered set
     /// in the batch's folder.
     pub(crate) fn claim(
@@ -69,6 +78,11 @@ impl CheckedPoints {
             shared: shard.is_part(),
             is_unfinished: &|path| {
                 mine().any(|point| case(path, point).join("checkpoint.bin").is_file())
+            },
+            within: &|path| {
+                let sets = self.points.iter().map(|point| within(path, point.set));
+                let cases = self.points.iter().map(|point| case(path, point));
+                sets.chain(cases).filter(|place| *place != path).collect()
             },
             is_part: &|path| self.points.iter().any(|point| case(path, point).is_dir()),
             ..Claim::new(occupant, &options.output, observer)

@@ -139,7 +139,7 @@ fn chain<'a>(
     while id < LAST_SECTOR {
         met += 1;
         if met > table.len() {
-            return Err(damaged("its chain of sectors is circular"));
+            return Err(damaged("it is damaged or cut off"));
         }
         let Some(sector) = sector(id) else { break };
         bytes.extend_from_slice(sector);
@@ -245,10 +245,10 @@ mod tests {
         // The third sector of the stream is followed by the first.
         let table = 4096;
         file[table + 4 * 4..][..4].copy_from_slice(&2_u32.to_le_bytes());
-        assert_eq!(workbook_stream(&file), Err(damaged("its chain of sectors is circular")));
+        assert_eq!(workbook_stream(&file), Err(damaged("it is damaged or cut off")));
         // The directory as well.
         let mut file = file_of(&[7; 20_000]);
         file[table + 4..][..4].copy_from_slice(&1_u32.to_le_bytes());
-        assert_eq!(workbook_stream(&file), Err(damaged("its chain of sectors is circular")));
+        assert_eq!(workbook_stream(&file), Err(damaged("it is damaged or cut off")));
     }
 }

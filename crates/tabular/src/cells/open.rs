@@ -17,7 +17,24 @@ pub(crate) fn is_workbook(bytes: &[u8], name: &str) -> bool {
     let named_so = ["xlsx", "xlsm", "xlsb", "ods"]
         .iter()
         .any(|workbook| extension.eq_ignore_ascii_case(workbook));
-    workbook::is_workbook(bytes) || (named_so && !bytes.is_empty())
+    let is_text = || std::str::from_utf8(bytes).is_ok_and(|text| !text.contains('\0'));
+    workbook::is_workbook(bytes) || (named_so && !bytes.is_empty() && !is_text())
+}
+
+/// Formats that programs save under the name of a table, by how they begin.
+fn other_format(bytes: &[u8]) -> Option<&'static str> {
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes).trim_ascii_start();
+    let begins = |with: &str| {
+        text.get(..with.len()).is_some_and(|head| head.eq_ignore_ascii_case(with.as_bytes()))
+    };
+    match () {
+        () if begins("%PDF") => Some("a PDF document"),
+        () if ["<!doctype html", "<html", "<table", "<meta"].into_iter().any(begins) => {
+            Some("a web page (HTML)")
+        }
+        () if begins("{\\rtf") => Some("a document of a word processor (RTF)"),
+        () => None,
+    }
 }
 
 /// Applies a function to the tables of a text, cut at each possible separator.
@@ -26,6 +43,9 @@ pub(crate) fn of_text<R>(
     name: &str,
     read: impl FnOnce(&[Table], Source) -> R,
 ) -> Result<R, TableError> {
+    if let Some(what) = other_format(bytes) {
+        return Err(TableError::new(name, TableErrorKind::OtherFormat { what }, None, None));
+    }
     let Some(text) = decode::text(bytes) else {
         return Err(TableError::new(name, TableErrorKind::NotText, None, None));
     };

@@ -57,16 +57,53 @@ impl Row {
         self.cells.iter().map(|cell| cell.text.as_str()).filter(|text| !text.is_empty())
     }
 
-    /// Whether it begins with a comment sign.
+    /// Whether it begins with a comment sign: [`is_comment`].
     pub(crate) fn is_comment(&self) -> bool {
-        let first = self.texts().next().unwrap_or("");
-        first.starts_with(['#', '%', '~']) || first.starts_with("//")
+        let mut texts = self.texts();
+        is_comment(texts.next().unwrap_or(""), texts.next().is_some())
     }
 
     /// Whether it is a line drawn with signs, such as `-----`.
     pub(crate) fn is_rule(&self) -> bool {
         let mut signs = self.texts().flat_map(str::chars).filter(|c| !c.is_whitespace()).peekable();
         signs.peek().is_some() && signs.all(|c| "-=_*+|".contains(c))
+    }
+}
+
+/// Values of cells that a spreadsheet could not calculate.
+const ERRORS: [&str; 11] = [
+    "#n/a",
+    "#value!",
+    "#ref!",
+    "#div/0!",
+    "#num!",
+    "#name?",
+    "#null!",
+    "#spill!",
+    "#calc!",
+    "#field!",
+    "#getting_data",
+];
+
+/// Whether a row is a comment, by the text of its first cell and whether more cells follow: it
+/// begins with `#`, `%`, `~` or `//`. An error of a spreadsheet such as `#N/A` is a value that is
+/// missing, and `#3` in a row with more cells is its number.
+///
+/// ```
+/// use wholestring_tabular::is_comment;
+///
+/// assert!(is_comment("# depths by wireline", false));
+/// assert!(!is_comment("#N/A", true) && !is_comment("#3", true));
+/// ```
+pub fn is_comment(first: &str, more: bool) -> bool {
+    let is_number =
+        |rest: &str| !rest.is_empty() && rest.chars().all(|letter| letter.is_ascii_digit());
+    match first.strip_prefix('#') {
+        Some(rest) => {
+            let is_error = || ERRORS.iter().any(|error| first.eq_ignore_ascii_case(error));
+            !(is_error() || more && is_number(rest.trim()))
+        }
+        None => first.starts_with(['%', '~']) || first.starts_with("//"),
     }
 }
 

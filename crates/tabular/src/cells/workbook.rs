@@ -61,17 +61,12 @@ pub(crate) fn read(bytes: &[u8], dates: Dates) -> Result<Workbook, TableErrorKin
         return Err(unreadable("in a browser alone none can: save its sheet as CSV"));
     }
     if !is_workbook(bytes) {
-        let is_text = std::str::from_utf8(bytes).is_ok_and(|text| !text.contains('\0'));
-        let reason = match is_text {
-            true => "it is a text in spite of its name: give it the ending .csv",
-            false => "it does not begin as one",
-        };
-        return Err(unreadable(reason));
+        return Err(unreadable("it does not begin as one"));
     }
     // The reader of workbooks is a third-party library that a damaged file may make panic.
     let read =
         contain(|| if bytes.starts_with(b"PK") { xlsx(bytes, dates) } else { xls(bytes, dates) });
-    read.unwrap_or_else(|_| Err(unreadable("it is damaged")))
+    read.unwrap_or_else(|_| Err(damaged(())))
 }
 
 /// Note on hidden sheets.
@@ -89,13 +84,24 @@ pub(crate) fn hidden_sheets(names: &[String]) -> Option<String> {
     }
 }
 
-fn unreadable(reason: impl ToString) -> TableErrorKind {
-    TableErrorKind::NotAWorkbook { reason: reason.to_string() }
+fn unreadable(reason: &str) -> TableErrorKind {
+    TableErrorKind::NotAWorkbook { reason: reason.to_owned() }
 }
+
+/// The error of a file in which the library found a fault; its words mean nothing to a reader.
+fn damaged<E>(_: E) -> TableErrorKind {
+    unreadable("it is damaged")
+}
+
+/// The sign at the end of an archive, which a file that was cut off lacks.
+const END: &[u8] = b"PK\x05\x06";
 
 fn xlsx(bytes: &[u8], dates: Dates) -> Result<Workbook, TableErrorKind> {
     let parts = archive::check(bytes)?;
-    let mut workbook = Xlsx::new(Cursor::new(bytes)).map_err(unreadable)?;
+    if !bytes.windows(END.len()).any(|four| four == END) {
+        return Err(unreadable("it is cut off"));
+    }
+    let mut workbook = Xlsx::new(Cursor::new(bytes)).map_err(damaged)?;
     let Worksheets { visible, places, hidden } = worksheets(workbook.sheets_metadata())?;
     let views = shown::of_sheets(&parts, &places)?;
     drop(parts);
@@ -103,10 +109,10 @@ fn xlsx(bytes: &[u8], dates: Dates) -> Result<Workbook, TableErrorKind> {
     let mut budget = Budget::default();
     for (name, view) in visible.into_iter().zip(views) {
         // Cells are read one by one, because the range of a sheet extends to its farthest cell.
-        let mut reader = workbook.worksheet_cells_reader(&name).map_err(unreadable)?;
+        let mut reader = workbook.worksheet_cells_reader(&name).map_err(damaged)?;
         let mut cells = BTreeMap::new();
         let mut far = Vec::new();
-        while let Some(cell) = reader.next_cell().map_err(unreadable)? {
+        while let Some(cell) = reader.next_cell().map_err(damaged)? {
             budget.cells(1)?;
             // Checked before copying, because many cells may refer to one long text.
             if let DataRef::SharedString(text) = cell.get_value() {
@@ -135,12 +141,12 @@ fn xls(bytes: &[u8], dates: Dates) -> Result<Workbook, TableErrorKind> {
     let mut views: Vec<Shown> = records::check(&mut stream)?;
     let file = compound::file_of(&stream);
     drop(stream);
-    let mut workbook = Xls::new(Cursor::new(file)).map_err(unreadable)?;
+    let mut workbook = Xls::new(Cursor::new(file)).map_err(damaged)?;
     let Worksheets { visible, places, hidden } = worksheets(workbook.sheets_metadata())?;
     let mut sheets = Vec::new();
     let mut budget = Budget::default();
     for (name, place) in visible.into_iter().zip(places) {
-        let range = workbook.worksheet_range(&name).map_err(unreadable)?;
+        let range = workbook.worksheet_range(&name).map_err(damaged)?;
         let (top, left) = range.start().unwrap_or((0, 0));
         let cells = range
             .used_cells()

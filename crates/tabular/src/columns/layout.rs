@@ -3,9 +3,10 @@
 use wholestring_units::Unit;
 
 use crate::cells::number;
-use crate::cells::table::{Position, Table};
+use crate::cells::table::{Position, Row, Table};
 use crate::columns::header::Header;
 use crate::columns::heading::{self, HeadingUnit};
+use crate::columns::names::Sort;
 use crate::error::{TableError, TableErrorKind};
 use crate::{columns::column::Column, survey::said::Said};
 
@@ -32,6 +33,36 @@ pub(crate) struct Layout {
 impl Layout {
     pub(crate) fn column(&self, column: Column) -> Option<&Found> {
         self.columns.iter().find(|found| found.column == column)
+    }
+
+    /// Checks that a row of headings or units below the first row of data, as of a second table or
+    /// page, has the units of this one.
+    ///
+    /// # Errors
+    /// The first cell with another unit.
+    pub(crate) fn check_units(
+        &self,
+        table: &Table,
+        row: &Row,
+        sort: &Sort,
+    ) -> Result<(), TableError> {
+        for found in self.columns.iter().filter(|found| !found.column.is_words()) {
+            let Some(cell) = row.cells.get(found.index) else { continue };
+            let headed = heading::recognise(&cell.text, sort).and_then(|heading| {
+                match (heading.unit, heading.column == found.column) {
+                    (HeadingUnit::Unit(unit), true) => Some(unit),
+                    _ => None,
+                }
+            });
+            let bare = heading::bare_unit(&cell.text);
+            let unit = headed.or_else(|| found.column.dimension().find_unit(bare));
+            if let Some(unit) = unit.filter(|unit| *unit != found.unit) {
+                let (column, above, below) = (found.column, found.unit.symbol, unit.symbol);
+                let kind = TableErrorKind::UnitChanges { column, above, below };
+                return Err(table.source.error(kind, Some(cell.at)));
+            }
+        }
+        Ok(())
     }
 
     /// Whether a column of numbers is at this index.

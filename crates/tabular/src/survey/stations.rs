@@ -52,7 +52,7 @@ impl From<TableError> for Broken {
 /// Reads the rows below the header.
 pub(crate) fn read(table: &Table, layout: &Layout) -> Result<ImportedSurvey, Broken> {
     let mut notes = layout.notes.clone();
-    let mut rows = data_rows(table, layout, &SURVEY, &mut notes);
+    let mut rows = data_rows(table, layout, &SURVEY, &mut notes)?;
     let reader = Reader { table, style: style(table, layout, &rows)? };
     let is_turned = is_deepest_first(&reader, layout, &rows);
     if is_turned {
@@ -280,12 +280,15 @@ fn marks(table: &Table, layout: &Layout, rows: &[usize]) -> Option<String> {
 }
 
 /// Rows of data, other than empty rows, comments, rules, remarks and repeated headers.
+///
+/// # Errors
+/// Headings or units that are repeated with another unit.
 pub(crate) fn data_rows(
     table: &Table,
     layout: &Layout,
     sort: &Sort,
     notes: &mut Vec<String>,
-) -> Vec<usize> {
+) -> Result<Vec<usize>, TableError> {
     let mut rows = Vec::new();
     let mut passed_over = 0;
     let words: HashSet<&str> =
@@ -313,6 +316,9 @@ pub(crate) fn data_rows(
             && !row.texts().any(number::is_number)
             && row.texts().all(of_header);
         if remark || header || row.is_comment() {
+            if !row.is_comment() {
+                layout.check_units(table, row, sort)?;
+            }
             passed_over += 1;
             if passed_over <= NOTED_ROWS {
                 let name = table.source.row_name(whole(row));
@@ -326,5 +332,5 @@ pub(crate) fn data_rows(
     if passed_over > NOTED_ROWS {
         notes.push(format!("{passed_over} such rows in all are skipped"));
     }
-    rows
+    Ok(rows)
 }

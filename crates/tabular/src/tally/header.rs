@@ -230,6 +230,14 @@ fn recognise(text: &str, index: usize) -> Option<Headed> {
     }
 }
 
+/// The unit that a cell names for a column: as a heading of the column, or alone as in a row of
+/// units.
+pub(crate) fn unit_named(column: Column, text: &str) -> Option<OfUnit> {
+    let headed = recognise(text, 0).filter(|headed| headed.column == column);
+    let alone = || Some(unit_of(column, heading::bare_unit(text))?.1);
+    headed.and_then(|headed| headed.unit).or_else(alone)
+}
+
 /// Returns the unit of a column, and the column that results from it: a weight in pounds is that of
 /// the whole component.
 pub(crate) fn unit_of(column: Column, text: &str) -> Option<(Column, OfUnit)> {

@@ -4,7 +4,7 @@ use wholestring_units::Unit;
 
 use super::{
     cell::{self, holds},
-    header::{Found, Header, find, unit_of},
+    header::{Found, Header, find, unit_named, unit_of},
     imported::{ImportedTally, TallyCell, TallyRow, TallyTotal},
     layout::{self, Laid, Layout, Lines},
 };
@@ -53,6 +53,7 @@ fn below(table: &Table, header: &Header, layout: &Layout) -> Result<ImportedTall
         let kind = kind(row, header, layout);
         let place = lines.row(whole(row));
         if kind == Kind::Remark {
+            check_units(table, row, layout)?;
             passed_over += 1;
             if passed_over <= NAMED {
                 let text: String = row.texts().next().unwrap_or("").chars().take(60).collect();
@@ -123,6 +124,25 @@ fn below(table: &Table, header: &Header, layout: &Layout) -> Result<ImportedTall
         Source::Text { .. } => None,
     };
     Ok(ImportedTally { sheet, rows, totals, notes, left_out })
+}
+
+/// Checks that headings or units below the first rows are those of the table.
+///
+/// # Errors
+/// The first cell with another unit.
+fn check_units(table: &Table, row: &Row, layout: &Layout) -> Result<(), TableError> {
+    for laid in &layout.columns {
+        let (Some((above, _)), Some(cell)) = (laid.unit, row.cells.get(laid.index)) else {
+            continue;
+        };
+        let other = unit_named(laid.column, &cell.text).filter(|(below, _)| *below != above);
+        if let Some((below, _)) = other {
+            let (column, above, below) = (laid.column, above.symbol, below.symbol);
+            let kind = TableErrorKind::UnitChanges { column, above, below };
+            return Err(table.source.error(kind, Some(cell.at)));
+        }
+    }
+    Ok(())
 }
 
 /// Place of a missing unit: the heading, or the cell if other cells have a unit of their own.

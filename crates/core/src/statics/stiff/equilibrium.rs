@@ -34,10 +34,22 @@ pub struct Convergence {
     /// are given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mesh_error: Option<MeshError>,
+    /// The same string on a finer mesh, where it is pushed down as a helix; `None` elsewhere.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub finer_helix: Option<FinerHelix>,
     /// The element that exceeds its own buckling load most, where one does: the state is valid only
     /// as long as nothing moves between its nodes.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub buckled_element: Option<BuckledElement>,
+}
+
+/// A string that is pushed down as a helix, on a mesh with elements half as long there. Friction
+/// feeds on the wall load of the helix, and that on the compression: near lock-up the least
+/// difference of two meshes grows to a large one of the hook load.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct FinerHelix {
+    /// Hook load without block, N; `None` where no equilibrium was found.
+    pub hook_load_N: Option<f64>,
 }
 
 /// The string at rest, with which the solution of a neighbouring load, depth or friction can begin.
@@ -65,6 +77,15 @@ impl Equilibrium {
         let compression_N = |index: usize| -self.state.tension_N[index];
         self.convergence.buckled_element = BuckledElement::most(&self.mesh, md_m, compression_N);
         self
+    }
+
+    /// The elements whose compression exceeds a load, N, which is given by measured depth, m.
+    pub(super) fn compressed_beyond(&self, load_N: impl Fn(f64) -> Option<f64>) -> Vec<bool> {
+        let beyond = |index: usize| {
+            let load_N = load_N(self.string.nodes[index].md_m);
+            load_N.is_some_and(|load_N| -self.state.tension_N[index] > load_N)
+        };
+        (0..self.mesh.elements.len()).map(beyond).collect()
     }
 
     /// Whether a string can use this one's mesh: it has the same length and settings.

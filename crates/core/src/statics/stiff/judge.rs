@@ -39,6 +39,7 @@ pub(super) fn finish(
         stable: is_stable(string, state, equations),
         rolls_at_md_m: None,
         mesh_error: None,
+        finer_helix: None,
         buckled_element: None,
     })
     .filter(|_| residual < RESIDUAL)

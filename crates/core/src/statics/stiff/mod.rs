@@ -27,7 +27,7 @@ mod wall;
 
 pub use at_rest::{AtRest, ElementAtRest, NodeAtRest, at_rest};
 pub use axis::StringAxis;
-pub use equilibrium::{Convergence, Equilibrium};
+pub use equilibrium::{Convergence, Equilibrium, FinerHelix};
 pub use error::{StiffError, StiffSettings};
 pub use mesh_error::MeshError;
 pub use profile::{EquilibriumSummary, StiffProfile};

@@ -4,7 +4,7 @@ use super::{
     StiffError, StiffProfile, StiffSettings,
     cascade::{NotFound, from_the_middle, released, settle, warm_start},
     equations::Equations,
-    equilibrium::{Convergence, Equilibrium},
+    equilibrium::{Convergence, Equilibrium, FinerHelix},
     mesh_error,
     snake::of_least_energy,
     state::State,
@@ -84,7 +84,7 @@ pub fn equilibrium(
 ) -> Result<Equilibrium, StiffError> {
     let soft = soft::solve(model, operation, &SOFT)?;
     let task = Task { model, operation, settings, soft: &soft };
-    task.refine(task.found(task.mesh()?, None)?).within_its_hole()
+    task.on_finer_helix(task.refine(task.found(task.mesh()?, None)?)).within_its_hole()
 }
 
 /// Computes the string at rest from that of a neighbouring friction, load or depth (a warm start),
@@ -103,12 +103,13 @@ pub fn equilibrium_near(
     let soft = soft::solve(model, operation, &SOFT)?;
     let task = Task { model, operation, settings, soft: &soft };
     if !near.is_like(model, settings) {
-        return task.refine(task.found(task.mesh()?, Some(near))?).within_its_hole();
+        let found = task.refine(task.found(task.mesh()?, Some(near))?);
+        return task.on_finer_helix(found).within_its_hole();
     }
     // Refined for the neighbour: a mesh refined from one to the next would grow without limit.
     let mut found = task.found(near.mesh.clone(), Some(near))?;
     found.convergence.mesh_error = near.convergence.mesh_error;
-    found.within_its_hole()
+    task.on_finer_helix(found).within_its_hole()
 }
 
 /// Computes the string at rest from that of a neighbouring friction, load or depth on the
@@ -132,9 +133,9 @@ pub fn equilibrium_beside(
         && let Some(mut found) = task.found_beside(near)
     {
         found.convergence.mesh_error = near.convergence.mesh_error;
-        return found.within_its_hole();
+        return task.on_finer_helix(found).within_its_hole();
     }
-    task.refine(task.found(task.mesh()?, None)?).within_its_hole()
+    task.on_finer_helix(task.refine(task.found(task.mesh()?, None)?)).within_its_hole()
 }
 
 /// A string to be solved.
@@ -297,6 +298,25 @@ impl Task<'_> {
             }
             Pushed::Through(_) => Ok(()),
         }
+    }
+
+    /// The same with the answer on a mesh whose elements are half as long where the string is
+    /// pushed down as a helix: from a cold start, as another choice of lengths would find it.
+    fn on_finer_helix(&self, mut found: Equilibrium) -> Equilibrium {
+        if !self.operation.slides_down() {
+            return found;
+        }
+        let long = found.compressed_beyond(|md_m| {
+            let row = self.soft.md_m.partition_point(|depth| *depth < md_m);
+            *self.soft.helical_load_N.get(row)?
+        });
+        if long.contains(&true) {
+            let mesh = found.mesh.halved(&self.model.string, &long, SizeReason::Refined);
+            let finer = self.found(mesh, None).ok();
+            let hook_load_N = finer.map(|finer| finer.hook_load_N);
+            found.convergence.finer_helix = Some(FinerHelix { hook_load_N });
+        }
+        found
     }
 
     /// Halves the elements that are too long, as long as that changes the bending.

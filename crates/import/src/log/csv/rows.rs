@@ -2,6 +2,9 @@
 
 use std::collections::VecDeque;
 
+use wholestring_tabular::is_comment;
+use wholestring_units::Dimension;
+
 use super::{
     super::{
         lines::{LONGEST_LINE, Lines, text},
@@ -94,6 +97,18 @@ fn cells(row: &Row) -> Vec<Vec<u8>> {
     cells
 }
 
+/// Whether all cells of a row are units, or empty.
+fn is_units(row: &Row) -> bool {
+    let cells = cells(row);
+    let mut filled = cells.iter().filter(|cell| !cell.is_empty()).peekable();
+    let is_unit = |cell: &Vec<u8>| {
+        let cell = text(cell);
+        let bare = cell.trim().trim_matches(['(', ')', '[', ']']).trim();
+        Dimension::ALL.iter().any(|dimension| dimension.find_unit(bare).is_some())
+    };
+    filled.peek().is_some() && filled.all(is_unit)
+}
+
 impl CsvRows<'_> {
     /// Whether a row repeats the headings, or the units below them, as in a log joined from
     /// several.
@@ -115,6 +130,13 @@ impl CsvRows<'_> {
             }
             self.repeated.0 += 1;
             return Ok(true);
+        }
+        if is_units(row) {
+            let sentence = "units follow that are not those of the headings; cut the file there \
+                            and read its parts one by one";
+            let place = Some(format!("line {}", row.line));
+            let kind = ImportErrorKind::Refused(sentence.to_owned());
+            return Err(ImportError::new(self.lines.file(), place, kind));
         }
         if head::is_heading(row) {
             let sentence = "the headings of another log follow, in another order or of other \
@@ -174,9 +196,10 @@ impl Rows for CsvRows<'_> {
                     return Err(ImportError::new(self.lines.file(), place, kind));
                 }
             }
-            let filled = row.cells.iter().any(|(from, to)| to > from);
-            let first = row.bytes.first();
-            if !filled || first == Some(&b'#') || self.is_heading(row)? {
+            let filled = row.cells.iter().filter(|(from, to)| to > from).count();
+            let is_comment = row.bytes.first() == Some(&b'#')
+                && is_comment(text(row.cell(0)).trim(), filled > 1);
+            if filled == 0 || is_comment || self.is_heading(row)? {
                 continue;
             }
             break;

@@ -1,7 +1,7 @@
 //! A component as keys of `[[string]]`.
 
 use wholestring::string::catalogue::CatalogueEntry;
-use wholestring_tabular::{Column, Holds, TallyCell, is_stabiliser};
+use wholestring_tabular::{Column, Holds, TallyCell, is_bit, is_stabiliser};
 use wholestring_units::{Dimension, number_text};
 
 use super::{
@@ -32,7 +32,7 @@ pub(crate) fn of(
     notes: &mut Vec<Note>,
 ) -> Result<Block, Refusal> {
     let row = part.row();
-    let is_bit = is_lowest && order::is_bit(&part.name);
+    let is_bit = is_lowest && is_bit(&part.name);
     let mut block = Block::default();
     let name_place =
         row.get(Column::Component).map_or(row.place.clone(), |cell| cell.place.clone());

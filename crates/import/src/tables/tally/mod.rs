@@ -13,7 +13,7 @@ mod sums;
 use part::{Length, Part, Refusal};
 use quote::{Said, shown};
 use wholestring::string::nested_casings;
-use wholestring_tabular::{Column, ImportedTally, TableErrorKind, TallyRow, read_tally};
+use wholestring_tabular::{Column, ImportedTally, TableErrorKind, TallyRow, is_bit, read_tally};
 use wholestring_units::{Dimension, Unit};
 
 use crate::{
@@ -112,8 +112,7 @@ fn blocks(
 fn gauges(parts: &[Part], blocks: &[Block]) -> Vec<Note> {
     let (Some(bit), Some(block)) = (parts.first(), blocks.first()) else { return Vec::new() };
     let si_m = |block: &Block, key: &str| block.get(key).and_then(Value::si);
-    let (true, Some(bit_m), Some(od)) =
-        (order::is_bit(&bit.name), si_m(block, "od"), block.get("od"))
+    let (true, Some(bit_m), Some(od)) = (is_bit(&bit.name), si_m(block, "od"), block.get("od"))
     else {
         return Vec::new();
     };

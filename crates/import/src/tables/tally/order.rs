@@ -1,6 +1,6 @@
 //! Direction of a tally.
 
-use wholestring_tabular::{Column, TallyRow};
+use wholestring_tabular::{Column, TallyRow, is_bit};
 
 use super::{part::Refusal, sums::Steps};
 use crate::{choices::Choices, error::ImportErrorKind, fragment::Note};
@@ -35,6 +35,16 @@ pub(crate) fn find(
         };
         format!("the tally is {how}: {why}")
     };
+    let bits: Vec<usize> = (0..rows.len()).filter(|&row| is_bit(&names[row])).collect();
+    if let [first, second, ..] = bits[..] {
+        let [first, second] =
+            [first, second].map(|row| format!("'{}' in {}", names[row], rows[row].place));
+        let sentence = format!(
+            "two rows are bits, {first} and {second}; a string has one: keep the rows of one \
+             string, or rename the row that is no bit"
+        );
+        return Err((Some(rows[bits[1]].place.clone()), ImportErrorKind::Refused(sentence)));
+    }
     if let Some(picked) = choices.picked("order") {
         let Some((_, order)) = NAMES.iter().find(|(name, _)| *name == picked) else {
             let kind = ImportErrorKind::NoSuch {
@@ -47,7 +57,6 @@ pub(crate) fn find(
         notes.push(Note::Read(say(*order, "as given")));
         return Ok(*order);
     }
-    let bits: Vec<usize> = (0..rows.len()).filter(|&row| is_bit(&names[row])).collect();
     let last = rows.len() - 1;
     let at_end = match bits[..] {
         [0] => Some(Order::BitFirst),
@@ -60,10 +69,7 @@ pub(crate) fn find(
         notes.push(Note::Read(say(order, &why)));
         return Ok(order);
     }
-    if let [bit, ..] = bits[..]
-        && bit != 0
-        && !bits.contains(&last)
-    {
+    if let [bit] = bits[..] {
         let sentence = format!(
             "the bit, '{}', is neither first nor last; expected the components of one string, \
              from the bit up or from the surface down (--pick order=bit-first or bit-last if it \
@@ -109,54 +115,8 @@ pub(crate) fn find(
     Err((None, ImportErrorKind::Refused(sentence.to_owned())))
 }
 
-/// Words after `bit` in names that are not bits.
-const NO_BITS: [&str; 12] = [
-    "sub",
-    "subs",
-    "stab",
-    "stabiliser",
-    "stabilizer",
-    "breaker",
-    "box",
-    "float",
-    "reamer",
-    "saver",
-    "connection",
-    "crossover",
-];
-
-/// Whether a name is that of a bit: `8 1/2 PDC Bit`, `Bit - 8 1/2`; neither a bit sub nor a
-/// near-bit stabiliser.
-pub(crate) fn is_bit(name: &str) -> bool {
-    let lower = name.to_lowercase();
-    let words: Vec<&str> =
-        lower.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
-    let Some(at) = words.iter().position(|word| *word == "bit") else {
-        return words.iter().any(|word| *word == "pdc" || *word == "tricone")
-            && !words.iter().any(|word| NO_BITS.contains(word));
-    };
-    let is_near = at > 0 && words[at - 1] == "near";
-    !is_near && !words.iter().any(|word| NO_BITS.contains(word))
-}
-
 /// Whether the case recognises a name as that of a bit: its last word is `bit`.
 pub(crate) fn ends_with_bit(name: &str) -> bool {
     let last = name.split(|c: char| !c.is_alphanumeric()).rfind(|word| !word.is_empty());
     last.is_some_and(|word| word.eq_ignore_ascii_case("bit"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::is_bit;
-
-    #[test]
-    fn a_bit_is_told_from_what_stands_near_it() {
-        for name in ["8 1/2\" PDC Bit", "Bit - PDC M516", "BIT", "Tricone 12 1/4", "PDC M323"] {
-            assert!(is_bit(name), "{name}");
-        }
-        for name in ["Bit sub", "Near-bit stabiliser", "NB stab", "Orbit RSS", "Bit saver sub", ""]
-        {
-            assert!(!is_bit(name), "{name}");
-        }
-    }
 }

@@ -73,7 +73,7 @@ fn events_stand_against_time() {
     let samples = plan_peaks_time_table(&events.each_ref().map(|(peak, history)| (peak, history)));
     let samples = PlanPeakSample::read(&samples, Path::new("samples")).expect("samples");
     let peaks = events.map(|(peak, _)| peak).into();
-    let moved = Plan::new(PlanSummary { peaks, ..summary() }, &samples, None);
+    let moved = Plan::new(PlanSummary { peaks, ..summary() }, Vec::new(), &samples, None);
     let plots = plan_plots(&moved, "si");
     let figure = &plots.last().expect("pictures").figure;
     let labels: Vec<&str> = figure.panels.iter().map(|panel| panel.axis.label.as_str()).collect();

@@ -8,13 +8,14 @@ mod page;
 use serde_json::json;
 use wholestring::{
     operation::OperationKind,
-    outcome::{ModelKind, Scalars},
+    outcome::{Buckling, ModelKind, Scalars},
     well::FrictionLevel,
 };
 use wholestring_judge::{Check, CheckKind, Quantity, Rounding, Severity, Verdict, Wording};
 use wholestring_results::{
     PLAN_VERSION, PlanBuckling, PlanCheck, PlanDensity, PlanFatigue, PlanFatigueHour, PlanFriction,
-    PlanHydraulics, PlanOperation, PlanPoint, PlanSummary, PlanSurfaceLimit, PlanWear, Texts,
+    PlanHydraulics, PlanOperation, PlanPoint, PlanStation, PlanSummary, PlanSurfaceLimit, PlanWear,
+    Texts,
 };
 use wholestring_units::{Dimension, UnitSet};
 
@@ -106,7 +107,7 @@ fn plan() -> Plan {
 fn plan_with(change: impl FnOnce(&mut PlanSummary)) -> Plan {
     let mut summary = summary();
     change(&mut summary);
-    Plan::new(summary, &[], Some(UnitSet::Si))
+    Plan::new(summary, vec![station()], &[], Some(UnitSet::Si))
 }
 
 /// Casing to 900 m and open hole below, of one friction.
@@ -153,6 +154,24 @@ fn scalars(hook_load_N: f64, surface_torque_N_m: f64) -> Scalars {
         twist_rad: 0.0,
         neutral_point_m: None,
         cutoff_depth_m: None,
+    }
+}
+
+/// The string half-way down while drilling.
+fn station() -> PlanStation {
+    PlanStation {
+        operation: OperationKind::Drill,
+        md_m: 990.0,
+        tvd_m: 900.0,
+        inclination_rad: 0.5,
+        dogleg_severity_rad_per_m: 1e-3,
+        component: "drill <pipe>".into(),
+        tension_N: -2e4,
+        torque_N_m: 5e3,
+        side_force_N_per_m: -150.0,
+        von_mises_stress_Pa: 2e8,
+        yield_use: Some(0.27),
+        buckling: Buckling::Sinusoidal,
     }
 }
 

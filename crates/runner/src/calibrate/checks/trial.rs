@@ -27,6 +27,16 @@ pub(super) enum Block {
     Any,
 }
 
+impl Block {
+    /// What a comparison with the string leaves open.
+    pub(super) const fn left_open(self) -> &'static str {
+        match self {
+            Self::Held(_) => "any friction",
+            Self::Free | Self::Any => "any friction and any weight of the block",
+        }
+    }
+}
+
 /// Misfit of the weights.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Misfit {

@@ -111,11 +111,11 @@ pub(super) fn weights(data: &Readings, trial: &Trial) -> Vec<ReadingCheck> {
                 .map(|candidate| candidate.0)
                 .collect();
             let sentence = format!(
-                "the weights seem not to be in {}, the unit of their headings: with any friction \
-                 they deviate by {} or more from the loads of the string in this hole, but in {} \
-                 they match within {:.1} % (a factor of {}); {}: a {} of {} with the bit at \
+                "the weights seem not to be in {}, the unit of their headings: with {} they deviate \
+                 by {} or more from the loads of the string in this hole, but in {} they match within {:.1} % (a factor of {}); {}: a {} of {} with the bit at \
                  {}, where {} is expected. Is the unit {}?",
                 heading.symbol,
+                trial.block.left_open(),
                 share(as_is.part),
                 unit.symbol,
                 100.0 * best.part.max(1e-3),
@@ -163,10 +163,11 @@ pub(super) fn depths(
         }
         let row = all[all.len() / 2];
         let sentence = format!(
-            "the bit depths seem not to be in {heading}, the unit of their heading: with any \
-             friction the weights deviate by {} or more from the loads of the string at these \
+            "the bit depths seem not to be in {heading}, the unit of their heading: with {} the \
+             weights deviate by {} or more from the loads of the string at these \
              depths, but with the depths in {unit} they match within {:.1} % (a factor of {}); {}: \
              a {} of {} with the bit at {}, where {} is expected. Is the unit {unit}?",
+            trial.block.left_open(),
             share(as_is.part),
             100.0 * misfit.part.max(1e-3),
             wholestring_units::number_text((1e4 * factor).round() / 1e4),
