@@ -8,7 +8,7 @@ use wholestring::{
     statics::soft::SoftLoads,
 };
 
-use crate::{Recent, strength::BodyLoads, window::Window};
+use crate::{recent::Recent, strength::BodyLoads, window::Window};
 
 /// Two places nearer than this are one, m.
 const SAME_M: f64 = 1e-6;

@@ -4,47 +4,13 @@
 //! are dark until enough time is measured, as at the start and after a rewind. While the top drive
 //! stalls, the other two are dark, because neither is measured on a string that does not turn.
 
-use serde::Serialize;
-use utoipa::ToSchema;
 use wholestring::dynamics::{Indicators, Whirl};
-use wholestring_judge::{Check, CheckKind, Quantity, Severity, Wording, top_drive_severity};
-use wholestring_units::UnitSet;
+use wholestring_judge::{Check, CheckKind, Quantity, Severity, top_drive_severity};
 
-use super::watched::{MOVES_S, Watched};
-use crate::words;
-
-/// A lamp of the driller's seat.
-#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
-pub struct Lamp {
-    /// Its name.
-    pub name: &'static str,
-    /// Its severity; null where nothing is measured.
-    #[schema(value_type = Option<words::Severity>)]
-    pub severity: Option<&'static str>,
-    /// Its value in a word or a percentage.
-    pub value: String,
-    /// Its meaning as a sentence in the viewer's units.
-    pub sentence: String,
-    #[serde(skip)]
-    wording: Wording,
-}
-
-impl Lamp {
-    fn new(name: &'static str, severity: Option<Severity>, value: String, text: String) -> Self {
-        let wording = Wording::from(text);
-        let sentence = wording.in_units(UnitSet::Si);
-        Self { name, severity: severity.map(Severity::name), value, sentence, wording }
-    }
-
-    fn dark(name: &'static str, text: &str) -> Self {
-        Self::new(name, None, "–".to_owned(), text.to_owned())
-    }
-
-    /// The same with its sentence in these units.
-    pub(super) fn in_units(&self, units: UnitSet) -> Self {
-        Self { sentence: self.wording.in_units(units), ..self.clone() }
-    }
-}
+use super::{
+    lamp::Lamp,
+    watched::{MOVES_S, Watched},
+};
 
 fn percent(part: f64) -> String {
     format!("{:.0} %", 100.0 * part)

@@ -13,6 +13,7 @@ mod command;
 mod engine;
 mod engine_set;
 mod kept;
+mod lamp;
 mod lamps;
 mod layout;
 mod live_string;

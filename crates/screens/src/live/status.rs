@@ -5,7 +5,7 @@ use utoipa::ToSchema;
 use wholestring_judge::{Check, Wording};
 use wholestring_units::UnitSet;
 
-use super::{checkpoints::CheckpointEntry, lamps::Lamp, pace::Pace};
+use super::{checkpoints::CheckpointEntry, lamp::Lamp, pace::Pace};
 
 /// State of a live string.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, ToSchema)]
