@@ -2,7 +2,8 @@ import { svelte } from "@sveltejs/vite-plugin-svelte";
 import { defineConfig } from "vite";
 import { fileURLToPath } from "node:url";
 
-// The address of a served app, for `npm run dev`: the one printed at its start.
+// The address of a served app, for `npm run dev`. It is started with `--plain-address --port 8480`, because Node does not
+// find names under `localhost`, and entered at `127.0.0.1`, whose cookie reaches the port of Vite too.
 const served = process.env.WHOLESTRING_APP ?? "http://127.0.0.1:8480";
 
 // The components shared with the pages of reports have no packages of their own: they use those of this folder.

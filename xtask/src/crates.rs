@@ -231,4 +231,20 @@ mod tests {
         assert_eq!(leads("./b/../../c"), Path::new("/p/c"));
         assert_eq!(leads("../../c/.d"), Path::new("/c/.d"));
     }
+
+    /// Symbols and line numbers are four fifths of a built program. dist always builds the profile
+    /// of its name; image and wheels are built elsewhere.
+    #[test]
+    fn programs_and_packages_of_a_release_are_stripped() {
+        let read = |path: &str| std::fs::read_to_string(root().join(path)).unwrap();
+        let manifest = read("Cargo.toml");
+        let profile = manifest.split("[profile.dist]\n").nth(1).unwrap();
+        let profile: Vec<&str> = profile.lines().take_while(|line| !line.is_empty()).collect();
+        assert!(profile.contains(&"strip = true") && profile.contains(&"debug = false"));
+        assert!(read(".github/workflows/release.yml").contains("dist build --tag="));
+        assert!(read("Containerfile").contains("cargo build --locked --profile dist"));
+        let wheels = read("crates/python/pyproject.toml");
+        let wheels = wheels.split("[tool.maturin]\n").nth(1).unwrap();
+        assert!(wheels.split("\n\n").next().unwrap().contains("strip = true"));
+    }
 }

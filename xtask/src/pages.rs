@@ -16,8 +16,8 @@ use crate::{
 const REPORT: &str = "crates/report/web";
 const APP: &str = "web/app";
 
-/// A test for each screen of the app.
-const SCREENS: [&str; 4] = ["case.mjs", "answers.mjs", "seat.mjs", "work.mjs"];
+/// A test for each screen of the app, and one of the links that let a browser in.
+const SCREENS: [&str; 5] = ["link.mjs", "case.mjs", "answers.mjs", "seat.mjs", "work.mjs"];
 
 /// Names under which a browser of the Chromium family may be installed.
 const BROWSERS: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];

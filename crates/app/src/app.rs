@@ -4,7 +4,10 @@ use std::{ops::Deref, sync::Arc, thread};
 
 use tokio::sync::Semaphore;
 
-use crate::{jobs::Jobs, limits::Limits, live::EngineRoom, workspace::Workspace};
+use crate::{
+    jobs::Jobs, limits::Limits, live::EngineRoom, overview::Overviews, results::Verdicts,
+    workspace::Workspace,
+};
 
 /// The state of the router; clones share it.
 #[derive(Debug, Clone)]
@@ -25,6 +28,10 @@ pub(crate) struct Shared {
     pub(crate) solving: Arc<Semaphore>,
     /// The jobs.
     pub(crate) jobs: Arc<Jobs>,
+    /// Overviews of the cases.
+    pub(crate) overviews: Overviews,
+    /// Verdicts of the results.
+    pub(crate) verdicts: Verdicts,
 }
 
 impl App {
@@ -35,12 +42,24 @@ impl App {
         let live = EngineRoom::new(limits, workspace.clone());
         let live_viewers = Arc::new(Semaphore::new(limits.live_viewers));
         let jobs = Jobs::new(workspace.clone());
-        Self(Arc::new(Shared { workspace, limits, live, live_viewers, solving, jobs }))
+        let overviews = Overviews::new(workspace.clone());
+        let verdicts = Verdicts::default();
+        Self(Arc::new(Shared {
+            workspace,
+            limits,
+            live,
+            live_viewers,
+            solving,
+            jobs,
+            overviews,
+            verdicts,
+        }))
     }
 
     /// Ends the background work, and keeps its computed results. Called once, after the last
     /// request.
     pub(crate) fn close(&self) {
+        self.overviews.close();
         self.live.close();
         self.jobs.close();
     }

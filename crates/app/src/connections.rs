@@ -7,7 +7,7 @@ use axum::{
     Router,
     body::Body,
     extract::Request,
-    http::{StatusCode, header},
+    http::{HeaderValue, StatusCode, header, request::Parts},
     response::{IntoResponse, Response},
 };
 use hyper::{
@@ -17,7 +17,7 @@ use hyper::{
 };
 use hyper_util::rt::{TokioIo, TokioTimer};
 use tokio::{
-    net::{TcpListener, TcpStream},
+    net::TcpStream,
     sync::{Semaphore, watch},
     time::{sleep, timeout},
 };
@@ -25,8 +25,10 @@ use tower::ServiceExt;
 
 use crate::{
     api::error::ApiError,
-    guard::{self, Guard},
+    guard::{self, Admission, Guard},
     limits::Limits,
+    listeners::Accepting,
+    places::{Place, Places},
 };
 
 /// The services on a port.
@@ -46,39 +48,33 @@ impl Connections {
     }
 
     /// Accepts connections until it is stopped, then waits a bounded time for open responses.
-    pub(crate) async fn serve(self, listener: TcpListener, stop: &Stop) {
-        let places = Arc::new(Semaphore::new(self.limits.connections));
+    pub(crate) async fn serve(self, listeners: Accepting, stop: &Stop) {
+        let places = Places::new(self.limits.connections, self.limits.silent_time);
         let accept = async {
             loop {
-                // Without a free permit no connection is accepted, and further clients wait in the
-                // system's queue.
-                let Ok(place) = places.clone().acquire_owned().await else { return };
-                let Ok((stream, _)) = listener.accept().await else {
+                let Ok(stream) = listeners.accept().await else {
                     // Out of file descriptors, for example, which are freed as connections end.
                     sleep(Duration::from_millis(50)).await;
                     continue;
                 };
+                let place = places.take().await;
                 let (this, stop) = (self.clone(), stop.clone());
-                tokio::spawn(async move {
-                    this.attend(stream, &stop).await;
-                    drop(place);
-                });
+                tokio::spawn(async move { this.attend(stream, &place, &stop).await });
             }
         };
         tokio::select! {
             () = accept => {}
             () = stop.requested() => {}
         }
-        drop(listener);
-        let all = u32::try_from(self.limits.connections).unwrap_or(u32::MAX);
-        let _ = timeout(self.limits.closing_time, places.acquire_many(all)).await;
+        drop(listeners);
+        let _ = timeout(self.limits.closing_time, places.all_free()).await;
     }
 
     /// Serves one connection, request after request.
-    async fn attend(&self, stream: TcpStream, stop: &Stop) {
+    async fn attend(&self, stream: TcpStream, place: &Place, stop: &Stop) {
         let _ = stream.set_nodelay(true);
         let service =
-            service_fn(|request| async { Ok::<_, Infallible>(self.answer(request).await) });
+            service_fn(|request| async { Ok::<_, Infallible>(self.answer(request, place).await) });
         let connection = http1::Builder::new()
             .timer(TokioTimer::new())
             .header_read_timeout(self.limits.head_time)
@@ -88,7 +84,10 @@ impl Connections {
             .with_upgrades();
         tokio::pin!(connection);
         tokio::select! {
+            // The connection first: a request that is here already keeps its place.
+            biased;
             _ = connection.as_mut() => return,
+            () = place.replaced() => return,
             () = stop.requested() => connection.as_mut().graceful_shutdown(),
         }
         // A failure here is the client's: it has disconnected, or did not send HTTP.
@@ -96,12 +95,14 @@ impl Connections {
     }
 
     /// One request: the guard, then the router.
-    async fn answer(&self, request: Request<Incoming>) -> Response {
+    async fn answer(&self, request: Request<Incoming>, place: &Place) -> Response {
         let (head, body) = request.into_parts();
         let host = head.headers.get(header::HOST).cloned();
         let response = match self.guard.admit(&head) {
-            Err(refusal) => refusal.into_response(),
-            Ok(()) => {
+            Err(refusal) => last(refusal.into_response()),
+            Ok(Admission::Exchange) => last(self.exchange(&head, body).await),
+            Ok(Admission::Session) => {
+                place.admit();
                 let request = Request::from_parts(head, Body::new(body));
                 match timeout(self.limits.request_time, self.route(request)).await {
                     Ok(response) => response,
@@ -110,6 +111,15 @@ impl Connections {
             }
         };
         guard::put_headers(response, host.as_ref())
+    }
+
+    /// Exchanges the code in a short form for the cookie.
+    async fn exchange(&self, head: &Parts, body: Incoming) -> Response {
+        let form = axum::body::to_bytes(Body::new(body), guard::LONGEST_FORM);
+        match timeout(self.limits.head_time, form).await {
+            Ok(Ok(form)) => self.guard.exchange(head, &form),
+            _ => self.guard.exchange(head, b""),
+        }
     }
 
     /// Routes an admitted request, after a permit if its body is large.
@@ -137,6 +147,12 @@ impl Connections {
         let message = format!("no answer in {} s", self.limits.request_time.as_secs());
         ApiError::new(StatusCode::SERVICE_UNAVAILABLE, "timeout", message).into_response()
     }
+}
+
+/// The last response of a connection: whoever was not admitted keeps no place.
+fn last(mut response: Response) -> Response {
+    response.headers_mut().insert(header::CONNECTION, HeaderValue::from_static("close"));
+    response
 }
 
 // A request to stop the server.

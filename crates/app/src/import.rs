@@ -312,6 +312,10 @@ impl Uploads {
         if name.is_empty() {
             return Err("a file has no name".to_owned());
         }
+        if let Some(letter) = wholestring_case::invisible(&name) {
+            let (name, character) = (name.escape_debug(), wholestring_case::described(letter));
+            return Err(format!("the name of the file `{name}` contains {character}; rename it"));
+        }
         if self.0.iter().any(|upload| upload.name == name) {
             return Err(format!("two files are called `{name}`"));
         }

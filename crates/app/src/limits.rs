@@ -17,8 +17,11 @@ pub(crate) struct Limits {
     pub(crate) head_bytes: usize,
     /// Number of header fields of a request.
     pub(crate) header_fields: usize,
-    /// Number of connections; further ones wait.
+    /// Number of connections; further ones replace the oldest without an admitted request, or
+    /// wait.
     pub(crate) connections: usize,
+    /// Time in which a new connection without a request is not replaced.
+    pub(crate) silent_time: Duration,
     /// Time for the head of a request to arrive, also on an idle connection.
     pub(crate) head_time: Duration,
     /// Time for the body of a request to arrive and the response to begin.
@@ -46,7 +49,11 @@ impl Default for Limits {
             large_bodies: 2,
             head_bytes: 32 << 10,
             header_fields: 64,
-            connections: 64,
+            // macOS allows a program 256 open files by default.
+            connections: 128,
+            // The system keeps some hundred connections until they are accepted, and makes further
+            // clients wait for a second: the time is short, so that a burst is accepted at once.
+            silent_time: Duration::from_millis(2),
             head_time: Duration::from_secs(10),
             request_time: Duration::from_secs(120),
             live_strings: 4,

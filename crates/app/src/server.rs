@@ -1,17 +1,14 @@
 //! The server on a port of the loopback address.
 
-use std::{
-    io,
-    net::{Ipv4Addr, SocketAddr, TcpListener},
-    path::PathBuf,
-};
+use std::{io, path::PathBuf};
 
 use crate::{
     api,
     app::App,
     connections::{Connections, Stop},
-    guard::Guard,
+    guard::{Address, Guard, Links},
     limits::Limits,
+    listeners::Listeners,
     workspace::{Workspace, WorkspaceError},
 };
 
@@ -20,8 +17,10 @@ use crate::{
 pub struct Options {
     /// The folder of the cases, which confines all access.
     pub folder: PathBuf,
-    /// The port of 127.0.0.1; 0: a free one.
+    /// The port of the loopback addresses; 0: a free one.
     pub port: u16,
+    /// The name in the address.
+    pub address: Address,
 }
 
 /// Reason why a server cannot start.
@@ -31,7 +30,7 @@ pub enum ServerError {
     #[error("{0}")]
     Folder(String),
     /// The port is in use, or not permitted.
-    #[error("port {port} of 127.0.0.1 cannot be opened: {source}")]
+    #[error("port {port} of 127.0.0.1 and [::1] cannot be opened: {source}")]
     Port {
         /// The port.
         port: u16,
@@ -52,7 +51,7 @@ impl From<WorkspaceError> for ServerError {
 /// A server with its port and its folder, ready to run.
 #[derive(Debug)]
 pub struct Server {
-    listener: TcpListener,
+    listeners: Listeners,
     guard: Guard,
     app: App,
     stop: Stop,
@@ -67,18 +66,22 @@ impl Server {
         let workspace = Workspace::open(&options.folder)?;
         let port = options.port;
         let refused = |source| ServerError::Port { port, source };
-        let address = SocketAddr::from((Ipv4Addr::LOCALHOST, port));
-        let listener = TcpListener::bind(address).map_err(refused)?;
-        listener.set_nonblocking(true).map_err(refused)?;
-        let port = listener.local_addr().map_err(refused)?.port();
-        let guard = Guard::new(port).map_err(|error| ServerError::System(error.to_string()))?;
+        let listeners = Listeners::bind(port).map_err(refused)?;
+        let guard = Guard::new(options.address, listeners.port)
+            .map_err(|error| ServerError::System(error.to_string()))?;
+        workspace.remove_leftovers();
         let app = App::new(workspace, Limits::default());
-        Ok(Self { listener, guard, app, stop: Stop::new() })
+        Ok(Self { listeners, guard, app, stop: Stop::new() })
     }
 
-    /// The address that admits a browser: it contains the token of this start.
-    pub fn url(&self) -> String {
-        self.guard.url()
+    /// Makes links that let browsers in.
+    pub fn links(&self) -> Links {
+        self.guard.links().clone()
+    }
+
+    /// Whether the address is `127.0.0.1`, whose cookies reach servers on other ports.
+    pub fn is_plain(&self) -> bool {
+        self.guard.host().is_plain()
     }
 
     /// Handle that stops it.
@@ -91,7 +94,8 @@ impl Server {
     /// # Errors
     /// The system provides no threads.
     pub fn run(self) -> Result<(), ServerError> {
-        let Self { listener, guard, app, stop } = self;
+        let Self { listeners, guard, app, stop } = self;
+        let links = guard.links().clone();
         let failed = |error: io::Error| ServerError::System(error.to_string());
         let runtime = tokio::runtime::Builder::new_multi_thread()
             .worker_threads(2)
@@ -99,11 +103,12 @@ impl Server {
             .build()
             .map_err(failed)?;
         let served = runtime.block_on(async {
-            let listener = tokio::net::TcpListener::from_std(listener)?;
+            let listeners = listeners.into_tokio()?;
             let router = api::router(app.clone());
-            Connections::new(router, guard, app.limits).serve(listener, &stop).await;
+            Connections::new(router, guard, app.limits).serve(listeners, &stop).await;
             Ok(())
         });
+        links.close();
         app.close();
         runtime.shutdown_background();
         served.map_err(failed)

@@ -121,7 +121,7 @@ impl Seat {
             return Some(Message::Text(Told::Layout(&self.string.layout).text()));
         }
         if self.status.has_changed().unwrap_or(false) {
-            let now = self.status.borrow_and_update().clone();
+            let now = self.viewing.status(&self.status.borrow_and_update().clone());
             return Some(Message::Text(Told::Status(&now).text()));
         }
         if let Some((bytes, _)) = self.viewing.samples() {

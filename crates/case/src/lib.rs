@@ -67,5 +67,6 @@ pub use values::dimension::{dimension_at, dimension_of, unit_of_key};
 pub use well::hole::MAX_FRICTION;
 pub use wholestring_config::{
     diagnostic::{Diagnostic, Label, Report, Severity},
+    invisible::{described, invisible},
     source::{Disk, Files, InMemory, Source, Span, read_file},
 };

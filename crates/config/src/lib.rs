@@ -48,6 +48,7 @@
 mod bare;
 pub mod diagnostic;
 pub mod file;
+pub mod invisible;
 pub mod kind;
 pub mod names;
 mod nesting;

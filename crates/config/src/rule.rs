@@ -5,6 +5,7 @@ use wholestring_units::number_text;
 
 use crate::{
     diagnostic::Diagnostic,
+    invisible::{described, invisible},
     names::{any_of, nearest, short},
     node::{Entries, Node, Value, in_single_quotes},
     reader::Reader,
@@ -57,11 +58,13 @@ impl Rule for Text {
             return None;
         };
         let problem = if text.trim().is_empty() {
-            "is empty"
+            "is empty".to_owned()
         } else if text.chars().any(char::is_control) {
-            "holds a line break or another control character"
+            "holds a line break or another control character".to_owned()
+        } else if let Some(letter) = invisible(text) {
+            format!("holds {}", described(letter))
         } else if text.chars().count() > 200 {
-            "is longer than 200 characters"
+            "is longer than 200 characters".to_owned()
         } else {
             return Some(text.clone());
         };

@@ -427,7 +427,7 @@ impl Judge {
     }
 
     /// The same checks, all in words and in the user's units.
-    fn with_sentences(&self, mut checks: Checks, words: &Words<'_>) -> Checks {
+    pub(crate) fn with_sentences(&self, mut checks: Checks, words: &Words<'_>) -> Checks {
         let worded = |check: Check| match check.sentence.is_empty() {
             true => {
                 let sentence = words.sentence(&check);

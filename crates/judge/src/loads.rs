@@ -8,7 +8,7 @@ use wholestring::{
     statics::soft::SoftLoads,
 };
 
-use crate::{strength::BodyLoads, window::Window};
+use crate::{recent::Recent, strength::BodyLoads, window::Window};
 
 /// Two places nearer than this are one, m.
 const SAME_M: f64 = 1e-6;
@@ -23,8 +23,21 @@ pub struct SurfaceLoad {
 }
 
 impl SurfaceLoad {
+    const NONE: Self = Self::steady(0.0);
+
     const fn steady(value: f64) -> Self {
         Self { mean: value, largest: value }
+    }
+
+    /// Mean and largest magnitude of samples; `None` without a known one.
+    fn of_samples(samples: &[f64]) -> Option<Self> {
+        let known = || samples.iter().copied().filter(|sample| !sample.is_nan());
+        let largest = known().reduce(|a, b| if b.abs() > a.abs() { b } else { a })?;
+        Some(Self { mean: known().sum::<f64>() / known().count() as f64, largest })
+    }
+
+    const fn magnitude(self) -> Self {
+        Self { mean: self.mean.abs(), largest: self.largest.abs() }
     }
 }
 
@@ -76,6 +89,20 @@ impl<'a> Loads<'a> {
             hydraulics: solution.hydraulics,
             components: components(model, operation, solution.profile),
             soft: solution.model == ModelKind::Soft,
+        }
+    }
+
+    /// The loads of a live string over the last seconds.
+    pub fn of_recent(model: &Model, operation: &Operation, recent: &Recent<'a>) -> Self {
+        Self {
+            profile: recent.largest,
+            hook_load_N: SurfaceLoad::of_samples(recent.hook_load_N).unwrap_or(SurfaceLoad::NONE),
+            surface_torque_N_m: SurfaceLoad::of_samples(recent.surface_torque_N_m)
+                .map_or(SurfaceLoad::NONE, SurfaceLoad::magnitude),
+            pump_pressure_Pa: SurfaceLoad::of_samples(recent.pump_pressure_Pa),
+            hydraulics: None,
+            components: components(model, operation, recent.largest),
+            soft: false,
         }
     }
 

@@ -6,7 +6,7 @@ use wholestring::{
 };
 
 use crate::{
-    Check, CheckKind, Severity,
+    Check, CheckKind, Recent, Severity,
     check::MARGINAL,
     window::{Window, share},
 };
@@ -83,6 +83,61 @@ fn top_drive(settings: &DynamicsSettings, window: &Window<'_>) -> Option<Check> 
     None
 }
 
+/// Time over which a top drive of a live string is found to stall, s.
+const STALLED_S: f64 = 2.0;
+
+/// Returns the checks of a live string's rotation over the last seconds. A stalled drive is no
+/// stick-slip, and whirl is not measured on it.
+pub fn recent(settings: &DynamicsSettings, recent: &Recent<'_>) -> Vec<Check> {
+    let limit = recent_top_drive(settings, recent);
+    if limit.as_ref().is_some_and(|check| check.kind == CheckKind::TopDriveStalled) {
+        return limit.into_iter().collect();
+    }
+    let mut found: Vec<Check> = limit.into_iter().collect();
+    let indicators = recent.indicators;
+    found.extend(indicators.stick_slip.as_ref().and_then(stick_slip));
+    let speed = average(recent.rotary_speed_rad_per_s);
+    for (kind, severity, whirl) in [
+        (CheckKind::BackwardWhirl, whirl_severity(true), &indicators.backward_whirl),
+        (CheckKind::ForwardWhirl, whirl_severity(false), &indicators.forward_whirl),
+    ] {
+        found.extend(whirl.map(|whirl| of_whirl(kind, severity, &whirl, speed)));
+    }
+    found
+}
+
+fn average(samples: &[f64]) -> f64 {
+    samples.iter().sum::<f64>() / samples.len().max(1) as f64
+}
+
+/// The top drive of a live string at its torque limit.
+fn recent_top_drive(settings: &DynamicsSettings, recent: &Recent<'_>) -> Option<Check> {
+    let limit_N_m = settings.top_drive.torque_limit_N_m()?;
+    let torques_N_m = recent.surface_torque_N_m;
+    let last = |samples: usize| torques_N_m.len().saturating_sub(samples);
+    let from = last((STALLED_S / recent.sample_s).ceil() as usize);
+    let speeds = recent.rotary_speed_rad_per_s[from..].iter();
+    let turns = speeds.zip(&recent.rotary_speed_set_rad_per_s[from..]);
+    let set = turns.filter(|(_, set)| **set > 0.0).collect::<Vec<_>>();
+    let stopped = set.iter().filter(|(speed, set)| **speed < NOT_TURNING * **set).count();
+    let largest_N_m = torques_N_m.iter().fold(0.0_f64, |most, torque| most.max(torque.abs()));
+    let found = |kind, severity, torque_N_m: f64| {
+        Some(Check::reported(kind, severity).value(torque_N_m).limit(limit_N_m))
+    };
+    let mean_N_m = average(&torques_N_m[from..]).abs();
+    if stopped as f64 > STALLED * set.len() as f64 && mean_N_m >= NOT_TURNING * limit_N_m {
+        return found(CheckKind::TopDriveStalled, Severity::Error, mean_N_m);
+    }
+    let at_limit = torques_N_m.iter().filter(|torque| torque.abs() >= AT_LIMIT * limit_N_m).count();
+    if at_limit as f64 > OFTEN * torques_N_m.len() as f64 {
+        let slow = average(recent.rotary_speed_rad_per_s)
+            < (1.0 - NOT_TURNING) * average(recent.rotary_speed_set_rad_per_s);
+        let severity = if slow { Severity::Error } else { Severity::Warning };
+        return found(CheckKind::TopDriveAtLimit, severity, largest_N_m);
+    }
+    None
+}
+
 /// Stick-slip that is reported: a warning where the bit stops.
 fn stick_slip(found: &StickSlip) -> Option<Check> {
     let level = stick_slip_severity(found).filter(|level| *level > Severity::Ok)?;
@@ -97,7 +152,7 @@ fn stick_slip(found: &StickSlip) -> Option<Check> {
 
 /// Severity of stick-slip: a warning where the bit stops; `None` where no speed of the bit is
 /// known.
-pub fn stick_slip_severity(found: &StickSlip) -> Option<Severity> {
+fn stick_slip_severity(found: &StickSlip) -> Option<Severity> {
     match found.severity {
         Some(severity) if severity >= STOPS => Some(Severity::Warning),
         Some(severity) if severity >= SEVERE => Some(Severity::Note),
@@ -108,7 +163,7 @@ pub fn stick_slip_severity(found: &StickSlip) -> Option<Severity> {
 }
 
 /// Severity of whirl, backward or forward.
-pub const fn whirl_severity(is_backward: bool) -> Severity {
+const fn whirl_severity(is_backward: bool) -> Severity {
     if is_backward { Severity::Warning } else { Severity::Note }
 }
 

@@ -2,15 +2,14 @@
 
 use serde::Serialize;
 
-use crate::{Check, Severity};
+use crate::{Check, Severity, Verdict};
 
 /// The most severe check of a result in words.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Overall {
     /// Its severity.
     pub severity: Severity,
-    /// Its sentence, and the number of other errors and warnings; for a result whose limits are all
-    /// met, that statement.
+    /// Its sentence, and the number of other errors and warnings; `OK` for a result without either.
     pub words: String,
 }
 
@@ -23,8 +22,8 @@ impl Overall {
         let count = |severity| checks.iter().filter(|check| check.severity == severity).count();
         if worst.severity <= Severity::Note {
             let words = match count(Severity::Note) {
-                0 => "all limits that were checked are kept".to_owned(),
-                notes => format!("no error and no warning, {}", number(notes, "note")),
+                0 => Verdict::Ok.words().to_owned(),
+                notes => format!("{}, {}", Verdict::Ok.words(), number(notes, "note")),
             };
             return Some(Self { severity: worst.severity, words });
         }
@@ -83,11 +82,8 @@ mod tests {
         let note = check(Severity::Note, "Helix");
         let warning = check(Severity::Warning, "Tension");
         let errors = ["Lock-up", "Hoist"].map(|sentence| check(Severity::Error, sentence));
-        assert_eq!(
-            words(std::slice::from_ref(&passed)).unwrap(),
-            "all limits that were checked are kept"
-        );
-        assert_eq!(words(&[passed.clone(), note]).unwrap(), "no error and no warning, 1 note");
+        assert_eq!(words(std::slice::from_ref(&passed)).unwrap(), "OK");
+        assert_eq!(words(&[passed.clone(), note]).unwrap(), "OK, 1 note");
         assert_eq!(words(&[passed, warning.clone()]).unwrap(), "Tension");
         let [first, second] = errors;
         let all = [warning.clone(), first, second, warning];

@@ -81,6 +81,12 @@ impl<'a> Words<'a> {
         }
     }
 
+    /// The words for a live string.
+    pub(crate) fn of_motion(rig: &'a Rig, hook_load_N: f64, indicators: &'a Indicators) -> Self {
+        let indicators = Some(indicators);
+        Self { model: ModelKind::Dynamic, indicators, ..Self::of_loads(rig, hook_load_N) }
+    }
+
     /// The same words for a run with these settings.
     pub(crate) fn of_run(self, settings: &DynamicsSettings) -> Self {
         let held_hook_load_N = match settings.hoist_control {

@@ -2,12 +2,13 @@
 
 use wholestring::{
     dynamics::{DynamicsSettings, HoistControl},
+    model::Model,
     operation::Operation,
     outcome::{Column, TIME_SERIES, TimeSeries, samples::ends},
 };
 
 use crate::{
-    Check, CheckKind, Severity,
+    Check, CheckKind, Recent, Severity,
     window::{Window, share},
 };
 
@@ -28,6 +29,12 @@ const UNSTEADY: f64 = 0.25;
 
 /// A bit that is off the rock for more than this share of the time bounces.
 const BOUNCES: f64 = 0.01;
+
+/// Time in which an autodriller reaches its set point, s; only then a weight counts as missed.
+const REACHED_S: f64 = 5.0;
+
+/// Part of the string's buoyed weight that no indicator shows.
+const NONE: f64 = 1e-3;
 
 const WEIGHT: &Column<TimeSeries> = Column::named(TIME_SERIES, "weight_on_bit_N");
 const SET_WEIGHT: &Column<TimeSeries> = Column::named(TIME_SERIES, "weight_on_bit_set_N");
@@ -77,6 +84,30 @@ fn target_N(
     let lifted = matches!(settings.hoist_control, Some(HoistControl::HookLoad(_)));
     (lifted && settings.schedule.is_empty() && operation.weight_on_bit_N > 0.0)
         .then_some((operation.weight_on_bit_N, false))
+}
+
+/// Mean weight of the last seconds against a set point that has not changed since.
+pub(crate) fn recent(recent: &Recent<'_>) -> Option<Check> {
+    let (weights_N, set_N) = (recent.weight_on_bit_N, recent.weight_on_bit_set_N);
+    let target_N = set_N.first().copied().filter(|target_N| *target_N > 0.0)?;
+    let is_steady = set_N.iter().all(|set_N| *set_N == target_N);
+    let is_long = weights_N.len() as f64 * recent.sample_s >= REACHED_S;
+    let mean_N = weights_N.iter().sum::<f64>() / weights_N.len() as f64;
+    (is_steady && is_long).then(|| off_target(mean_N, target_N, true)).flatten()
+}
+
+/// A weight on bit that is more than string, block and rig provide without friction, N; `None`
+/// where they provide it.
+pub(crate) fn weight_not_available(
+    model: &Model,
+    requested_N: f64,
+    available_N: f64,
+) -> Option<Check> {
+    let is_missing = requested_N - available_N > NONE * model.buoyed_weight_N();
+    (requested_N > 0.0 && is_missing).then(|| {
+        let check = Check::reported(CheckKind::WeightNotAvailable, Severity::Error);
+        check.value(requested_N).limit(available_N.max(0.0))
+    })
 }
 
 fn off_target(mean_N: f64, target_N: f64, held: bool) -> Option<Check> {

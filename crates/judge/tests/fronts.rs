@@ -58,7 +58,7 @@ const DECLARED: [(&str, &str); 10] = [
     (">>> ", "an example in a docstring"),
     ("nothing locks up", "help on an option of the reach that leaves the helix's friction out"),
     ("ok: [\"OK\"", "the word of the judge's severity `ok`"),
-    ("top_drive_stalls", "a field of the driller's seat, made by the engine"),
+    ("\"top_drive_stalled\"", "a kind of check, whose severity a read-out shows"),
     ("stuck_fraction", "a field of the driller's seat, made by the engine"),
     ("must not get stuck", "a comment on a queue"),
     ("check that needs attention", "a comment on what is filtered by the judge's severity"),

@@ -9,7 +9,7 @@ import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gunzipSync } from "node:zlib";
 import { accessible, check, equal, fail, openPage, picture, program, run, serve, until } from "./harness.mjs";
-import { openCase, tomlText } from "./harness-case.mjs";
+import { openCase, showText, tomlText } from "./harness-case.mjs";
 
 const ROOT = resolve(dirname(fileURLToPath(import.meta.url)), "../../..");
 const FOLDER = process.env.PLAYGROUND ?? join(ROOT, "target/playground");
@@ -133,7 +133,7 @@ const begin = async (options = {}) => {
   const page = await openPage(served, { flags: FLAGS, ...options });
   page.setDefaultTimeout(60_000);
   await page.getByRole("link", { name: "Cases", exact: true }).waitFor();
-  await page.locator("table.cases tbody tr").first().waitFor();
+  await page.getByRole("article").first().waitFor();
   return page;
 };
 
@@ -187,7 +187,6 @@ await run({
     await density.fill("1.31 sg");
     await density.press("Tab");
     await until(async () => (await tomlText(page)).includes("1.31"), "the text has the value typed in the form");
-    await page.getByRole("button", { name: "Answers", exact: true }).click();
     await page.waitForSelector(".key-numbers");
     await settled(page);
     await page.getByRole("button", { name: "drill", exact: true }).click();
@@ -204,7 +203,7 @@ await run({
     await page.getByRole("button", { name: "Save", exact: true }).click();
     await until(async () => (await page.locator(".toolbar").innerText()).includes("Saved."), "it is saved");
     await page.reload();
-    await page.waitForSelector(".editor .cm-content");
+    await showText(page);
     await until(async () => (await tomlText(page)).includes("1.31"), "it is there after a reload");
     await accessible(page, "case alone");
     equal(page.complaints, [], "complaints");

@@ -1,7 +1,7 @@
 // The list of cases and the editor of a case: by mouse and by keys, from an empty folder on.
 import { readFileSync } from "node:fs";
 import { accessible, check, equal, openPage, picture, run, serve, until } from "./harness.mjs";
-import { cell, cellText, fromClipboard, openCase, quiet, section, toClipboard, tomlText, untilCell, untilToml } from "./harness-case.mjs";
+import { cell, cellText, fromClipboard, openCase, quiet, section, showText, toClipboard, tomlText, untilCell, untilToml } from "./harness-case.mjs";
 
 const CASE = `# A slant well.
 name = "slant"
@@ -54,7 +54,8 @@ async function open(files, options) {
 }
 
 async function opened(text = CASE, options = {}, more = {}) {
-  const all = await open({ "a.toml": text, ...more }, { permissions: CLIPBOARD, ...options });
+  // The text editor has the lines in view alone: all of a short case, in a tall window.
+  const all = await open({ "a.toml": text, ...more }, { permissions: CLIPBOARD, height: 2200, ...options });
   await openCase(all.page, /name = "(.*)"/.exec(text)[1]);
   return all;
 }
@@ -62,16 +63,17 @@ async function opened(text = CASE, options = {}, more = {}) {
 await run({
   "a case is made of an example by keys alone": async () => {
     const { page, served, end } = await open({});
-    await page.getByText("No case in this folder yet.").waitFor();
+    await page.getByText("No case in this folder yet").waitFor();
+    await accessible(page, "an empty folder");
     await page.keyboard.press("n");
     const dialog = page.getByRole("dialog", { name: "A new case" });
     await dialog.getByRole("radio").first().focus();
     await page.keyboard.press("ArrowDown");
-    await dialog.getByLabel("Name of the file").focus();
     equal(await dialog.getByLabel("Name of the file").inputValue(), "vertical.toml", "the name that is offered");
     await accessible(page, "a new case");
+    // Enter on an example makes the case.
     await page.keyboard.press("Enter");
-    await page.waitForSelector(".editor .cm-content");
+    await page.waitForSelector(".editor");
     check(served.read("vertical.toml").includes("[well]"), "the file is there");
     await end();
   },
@@ -87,7 +89,7 @@ await run({
     await page.getByRole("alert").getByText("there is a file `a.toml` already").waitFor();
     await page.getByLabel("Name of the file").fill("b");
     await page.keyboard.press("Enter");
-    await page.getByRole("cell", { name: "wells/b.toml", exact: true }).waitFor();
+    await page.getByRole("article", { name: "wells/b.toml" }).waitFor();
     equal(served.read("wells/b.toml"), CASE, "the copy");
     page.complaints.length = 0; // The browser logs the status 409.
     await page.getByRole("button", { name: "Delete wells/b.toml" }).click();
@@ -95,7 +97,7 @@ await run({
     await page.getByRole("button", { name: "Cancel" }).click();
     await page.getByRole("button", { name: "Delete wells/b.toml" }).click();
     await page.getByRole("button", { name: "Delete the case" }).click();
-    await until(async () => (await page.getByRole("cell", { name: "wells/b.toml", exact: true }).count()) === 0, "the deleted case is gone");
+    await until(async () => (await page.getByRole("article", { name: "wells/b.toml" }).count()) === 0, "the deleted case is gone");
     equal(served.read("wells/a.toml"), CASE, "the other");
     await end();
   },
@@ -271,7 +273,6 @@ await run({
 
   "modified values of the panel are applied to the text of the editor, and undone": async () => {
     const { page, end } = await opened();
-    await page.getByRole("button", { name: "Answers", exact: true }).click();
     const slider = page.getByLabel("Friction multiplier, each section's own factor", { exact: true });
     await slider.waitFor();
     await slider.focus();
@@ -320,11 +321,12 @@ await run({
     equal(served.read("a.toml"), CASE, "the file is not written");
     await page.reload();
     await page.getByText("This is a draft of").waitFor();
+    await showText(page);
     await untilToml(page, "1350 kg/m3");
     await picture(page, "draft");
     await accessible(page, "a draft");
     await served.restart("SIGKILL");
-    const again = await openPage(served);
+    const again = await openPage(served, { height: 2200 });
     await again.getByText("unsaved draft").waitFor();
     await openCase(again, "slant");
     await again.getByText("This is a draft of").waitFor();
@@ -380,7 +382,7 @@ await run({
 
   "two tabs with one case: nothing of either is lost": async () => {
     const { page, served, end } = await opened();
-    const other = await openPage(served);
+    const other = await openPage(served, { height: 2200 });
     await openCase(other, "slant");
     for (const [tab, density] of [[page, "1350"], [other, "1400"]]) {
       await section(tab, "Mud");
@@ -437,6 +439,82 @@ await run({
     await page.getByRole("textbox", { name: "Seed" }).fill("7");
     await page.keyboard.press("Enter");
     await untilToml(page, "[dynamics]\nseed = 7");
+    await end();
+  },
+
+  "a pasted survey becomes a case": async () => {
+    const { page, served, end } = await open({});
+    await page.getByRole("button", { name: /^Paste a survey/ }).click();
+    const dialog = page.getByRole("dialog", { name: "A new case from a survey" });
+    await dialog.getByLabel(/^Rows with a heading/).fill("MD (ft)\tInc (deg)\tAzi (deg)\n0\t0\t0\n1000\t0\t0\n2000\t10\t45\n3500\t30\t45\n");
+    await dialog.getByText("4 stations from 0 m to 1066.8 m.").waitFor();
+    await accessible(page, "a case from a survey");
+    await dialog.getByLabel("Name of the file").fill("mine");
+    await page.keyboard.press("Enter");
+    await page.getByRole("heading", { level: 1, name: "mine" }).waitFor();
+    const text = served.read("mine.toml");
+    for (const words of ["[304.8, 0, 0]", 'to = "1066.8 m"', 'to = "533.4 m"', 'bit_depth = "1066.8 m"', "# vertical down"]) {
+      check(text.includes(words) !== words.startsWith("#"), `${words} in the text`);
+    }
+    await page.getByText("Valid.").waitFor();
+    await page.locator(".strip tbody tr").first().waitFor();
+    await end();
+  },
+
+  "cards have silhouette, verdict and key numbers, are searched and sorted": async () => {
+    const read = (name) => readFileSync(new URL(`../../../cases/${name}`, import.meta.url), "utf8");
+    const broken = CASE.replace('name = "slant"', 'name = "broken"').replace("friction = 0.3", "friction = 7");
+    const { page, end } = await open({ "a.toml": `${CASE}\n[rig]\nhoist_capacity = "250 tf"\n`, "b.toml": read("lateral-that-cannot-be-drilled.toml"), "c.toml": broken });
+    const card = (path) => page.getByRole("article", { name: path });
+    await card("a.toml").getByText("OK", { exact: true }).waitFor();
+    check((await card("a.toml").locator("svg polyline").count()) >= 2, "the well is drawn");
+    check(/Hook load\s*\d/.test(await card("a.toml").innerText()), "the hook load is shown");
+    // Verdict and sentence are those of the server.
+    const cases = await page.evaluate(async () => (await fetch("/api/cases?units=si")).json());
+    const { overview } = cases.find(({ path }) => path === "b.toml");
+    await card("b.toml").getByText(overview.check.sentence, { exact: false }).waitFor();
+    equal(overview.check.severity, "error", "severity of a lateral that cannot be drilled");
+    await card("c.toml").getByText("Not valid").waitFor();
+    const paths = () => page.getByRole("article").evaluateAll((all) => all.map((one) => one.getAttribute("aria-label")));
+    await page.getByLabel("Order").selectOption("severity");
+    equal(await paths(), ["c.toml", "b.toml", "a.toml"], "the most severe first");
+    await page.keyboard.press("Escape");
+    await page.locator("h1").click();
+    await page.keyboard.press("/");
+    await page.keyboard.type("lateral");
+    equal(await paths(), ["b.toml"], "the case that was sought");
+    await page.getByRole("searchbox").fill("nothing like it");
+    await page.getByText("No case contains").waitFor();
+    await accessible(page, "a search without a result");
+    equal(await page.title(), "Cases – wholestring", "title");
+    await end();
+  },
+
+  "a verdict leads to its depth and to its field, and screens of the case to each other": async () => {
+    const { page, end } = await open({ "b.toml": readFileSync(new URL("../../../cases/lateral-that-cannot-be-drilled.toml", import.meta.url), "utf8") });
+    await page.getByRole("link", { name: "Lateral that cannot be drilled", exact: true }).click();
+    const strip = page.getByRole("region", { name: "Verdicts" });
+    await strip.locator("tbody tr").first().waitFor();
+    equal(await page.title(), "Lateral that cannot be drilled – Case – wholestring", "title");
+    // All checks, in the order of severity.
+    await strip.getByRole("button", { name: /^All \d+ checks/ }).click();
+    const severities = await strip.locator("tbody tr").evaluateAll((rows) => rows.map((row) => /error|warning|note|ok/.exec(row.className)[0]));
+    equal(severities, severities.toSorted((a, b) => ["error", "warning", "note", "ok"].indexOf(a) - ["error", "warning", "note", "ok"].indexOf(b)), "severities");
+    await accessible(page, "all verdicts");
+    await page.waitForSelector(".tracks svg");
+    await strip.getByRole("button", { name: /^Buckled to a helix from 0 m/ }).first().click();
+    await page.getByRole("heading", { level: 2, name: "String", exact: true }).waitFor();
+    await until(() => page.evaluate(() => document.activeElement?.getAttribute("aria-label")?.startsWith("Components of the string") ?? false), "the row of the component has the focus");
+    await until(async () => (await page.locator(".tracks .flag").first().getAttribute("visibility")) === "visible", "the cursor is at the depth");
+    await strip.getByRole("button", { name: /^Lock-up/ }).first().click();
+    await page.getByRole("heading", { level: 2, name: "Hole", exact: true }).waitFor();
+    const links = page.getByRole("navigation", { name: "Screens of the case" });
+    await links.getByRole("link", { name: "Answers" }).click();
+    await page.getByRole("heading", { level: 1, name: /^Answers of/ }).waitFor();
+    await page.getByRole("region", { name: "Verdicts" }).getByRole("button", { name: /^Lock-up/ }).first().click();
+    await page.getByRole("heading", { level: 2, name: "Hole", exact: true }).waitFor();
+    for (const name of ["Run", "Results", "Driller's seat", "Case"]) await links.getByRole("link", { name, exact: true }).click();
+    await page.getByRole("region", { name: "Verdicts" }).locator("tbody tr").first().waitFor();
     await end();
   },
 

@@ -12,9 +12,16 @@ export const tomlText = (page) =>
 /** Waits until the TOML contains a text. */
 export const untilToml = (page, words, sentence) => until(async () => (await tomlText(page)).includes(words), sentence ?? `the text holds ${words}`);
 
-/** Opens a case of the list. */
+/** Opens a case of the list, with its text. */
 export async function openCase(page, name) {
   await page.getByRole("link", { name, exact: true }).first().click();
+  await showText(page);
+}
+
+/** Shows the text of the open case. */
+export async function showText(page) {
+  await page.waitForSelector(".editor");
+  await page.getByRole("button", { name: "TOML", exact: true }).click();
   await page.waitForSelector(".editor .cm-content");
 }
 

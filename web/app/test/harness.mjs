@@ -5,6 +5,7 @@
 // stores screenshots.
 import { spawn } from "node:child_process";
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { get } from "node:http";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
@@ -35,22 +36,33 @@ export function fail(sentence) {
   process.exit(1);
 }
 
-/** A served folder with these files. `restart` ends the program and restarts it on the folder. */
-export async function serve(files = {}) {
+/** A served folder with these files, at `url`; `link` lets one browser in. `restart` ends the program and restarts it on the folder. */
+export async function serve(files = {}, { args = ["--no-browser"], env = process.env } = {}) {
   const folder = mkdtempSync(join(tmpdir(), "wholestring-app-"));
   for (const [name, text] of Object.entries(files)) {
     mkdirSync(dirname(join(folder, name)), { recursive: true });
     writeFileSync(join(folder, name), text);
   }
   const served = { folder, url: "", child: null };
+  // Each link that the program prints admits one browser, once; the next one is printed after its use.
+  const links = [];
+  served.link = async () => {
+    await until(() => links.length > 0, "the program prints a link");
+    return links.shift();
+  };
   served.start = async () => {
-    const child = spawn(program(), ["app", folder, "--no-browser", "--port", "0"], { stdio: ["ignore", "pipe", "inherit"] });
+    const child = spawn(program(), ["app", folder, "--port", "0", ...args], { stdio: ["ignore", "pipe", "inherit"], env });
     served.child = child;
     children.add(child);
     child.once("exit", () => children.delete(child));
+    links.length = 0;
     const lines = createInterface({ input: child.stdout });
     served.url = await new Promise((found, lost) => {
-      lines.once("line", (line) => found(/http:\/\/\S+/.exec(line)?.[0] ?? lost(new Error(`no address in: ${line}`))));
+      lines.on("line", (line) => {
+        const link = /^http:\/\/\S+$/.exec(line)?.[0];
+        if (link) links.push(link);
+        if (link) found(new URL("/", link).href);
+      });
       child.once("exit", (code) => lost(new Error(`the program ended with ${code} before it served`)));
     });
   };
@@ -100,21 +112,22 @@ export async function openPage(served, { width = 1440, height = 900, theme = "li
   page.on("pageerror", (error) => page.complaints.push(String(error)));
   page.on("console", (message) => message.type() === "error" && page.complaints.push(message.text()));
   if (process.env.WHOLESTRING_PAGE) await context.route((url) => !url.pathname.startsWith("/api/"), fromFolder);
-  await page.goto(served.url);
+  // The page of a link sends its form before it is loaded.
+  await page.goto(served.link ? await served.link() : served.url, { waitUntil: "commit" });
   page.setDefaultTimeout(20_000);
-  await page.waitForSelector("main");
+  await page.waitForSelector("#app main");
   return page;
 }
 
 /** The page from a folder, with the headers of the program. */
 async function fromFolder(route) {
-  const { pathname, search } = new URL(route.request().url());
-  if (pathname === "/" && search !== "") return route.continue();
+  const { pathname, port, host } = new URL(route.request().url());
   const file = join(resolve(process.env.WHOLESTRING_PAGE), pathname === "/" ? "index.html" : pathname);
   if (!existsSync(file)) return route.continue();
   const type = { html: "text/html", js: "text/javascript", css: "text/css" }[file.split(".").at(-1)] ?? "application/octet-stream";
-  const { headers } = await fetch(new URL("/", route.request().url()));
-  const policy = headers.get("content-security-policy");
+  // Not by name: Node leaves names under `localhost` to the system.
+  const { headers } = await new Promise((got, lost) => get({ host: "127.0.0.1", port, path: "/app.css", headers: { host } }, got).once("error", lost));
+  const policy = headers["content-security-policy"];
   return route.fulfill({ body: readFileSync(file), headers: { "content-type": type, ...(policy ? { "content-security-policy": policy } : {}) } });
 }
 

@@ -258,6 +258,8 @@ await run({
     await page.getByText("1 change recorded").waitFor();
     await page.getByRole("button", { name: "Save as schedule" }).click();
     await page.getByText("1 line written into the schedule").waitFor();
+    const link = page.getByRole("link", { name: "Open the case" });
+    equal(await link.getAttribute("href"), `#/case/${await caseId(page)}`, "link to the case");
     const draft = await page.evaluate(async () => {
       const [{ id }] = await (await fetch("/api/cases")).json();
       return (await (await fetch(`/api/cases/${id}`)).json()).draft.text;
@@ -273,6 +275,75 @@ await run({
     const rows = await strips(page);
     check(rows.some((row) => Math.abs(row.rotary_speed_set_rad_per_s - 4 * Math.PI) < 1e-3), "the speed is set again");
     equal(page.complaints, [], "complaints");
+    await served.stop();
+  },
+
+  "values out of range are refused with a sentence, in the units of the reader": async () => {
+    const { served, page } = await seated(SLANT);
+    const type = async (name, text) => {
+      const field = page.getByRole("textbox", { name: `${name}, set` });
+      await field.fill(text);
+      await field.press("Enter");
+    };
+    const refused = page.locator(".messages [role=alert]");
+    await type("Weight on bit", "5000");
+    await refused.getByText(/too light for the requested weight on bit: 5000 kN requested, \d+(\.\d+)? kN available.*It was not set/).waitFor();
+    await page.getByRole("group", { name: "Units" }).getByRole("button", { name: "field" }).click();
+    await type("Weight on bit", "2000");
+    await refused.getByText(/out of range: expected 0 klbf to 1124 klbf. It was not set/).waitFor();
+    await type("Rotary speed", "1200");
+    await refused.getByText("The rotary speed of 1200 rpm is out of range: expected 0 rpm to 1000 rpm. It was not set").waitFor();
+    await until(async () => Math.round(Number(await knob(page, "Rotary speed").getAttribute("aria-valuenow"))) === 90, "the set point is unchanged");
+    await type("Rotary speed", "fast");
+    await page.getByText("“fast” is no number").waitFor();
+    const ramp = page.getByLabel("Ramp");
+    await ramp.fill("-3");
+    await ramp.press("Enter");
+    await refused.getByText("The ramp of -3 s is out of range").waitFor();
+    await page.getByText("0 changes recorded").waitFor();
+    equal(page.complaints, [], "complaints");
+    await served.stop();
+  },
+
+  "lamps agree with each other after a rewind and in a stall": async () => {
+    const { served, page } = await seated(SLANT.replace("40 kN.m", "4 kN.m"));
+    const lamps = () => page.locator("[data-lamp]").evaluateAll((all) => all.map((lamp) => lamp.dataset.severity));
+    equal(await lamps(), ["none", "none", "none"], "lamps before the first sample");
+    await page.getByRole("button", { name: "Count" }).waitFor();
+    await pace(page, "max");
+    await runs(page);
+    await page.locator('.alarms[data-severity="error"]').waitFor({ timeout: 60_000 });
+    await until(async () => (await time(page)) > 12, "it runs", 60_000);
+    await pause(page);
+    await until(async () => (await lamps())[2] === "error", "the top drive's lamp has the severity of its alarm");
+    equal(await lamps(), ["none", "none", "error"], "lamps in a stall");
+    await page.locator(".alarms button").click();
+    await page.locator("#alarm-list").getByText("The top drive stalls").first().waitFor();
+    await page.locator("#alarm-list").getByText("Not measured while the top drive stalls").first().waitFor();
+    await accessible(page, "alarms");
+    await picture(page, "seat-stall");
+    await page.getByLabel("Checkpoint").selectOption({ index: 0 });
+    await page.getByRole("button", { name: "Rewind" }).click();
+    await until(async () => (await time(page)) === 0, "it is rewound");
+    await until(async () => (await lamps()).join() === "none,none,none", "all lamps are dark");
+    equal(await page.locator(".alarms").getAttribute("data-alarms"), "0", "alarms after the rewind");
+    equal(page.complaints, [], "complaints");
+    await served.stop();
+  },
+
+  "charts without a meaning are left out, and unchanging ones hidden": async () => {
+    const { served, page } = await seated(PLAIN);
+    const charts = () => page.locator("[data-strip]").evaluateAll((all) => all.map((chart) => chart.dataset.strip));
+    equal(await charts(), ["Hook load", "Torque", "Rotary speed", "Block"], "charts of a string that rotates off bottom");
+    await pace(page, "max");
+    await runs(page);
+    await until(async () => !(await charts()).includes("Block"), "the block's chart is hidden", 60_000);
+    await page.getByRole("button", { name: "Show 1 unchanging" }).click();
+    await until(async () => (await charts()).includes("Block"), "it is shown on request");
+    await page.getByRole("button", { name: "newest ↑" }).click();
+    await page.reload();
+    await page.getByRole("button", { name: "newest ↑", pressed: true }).waitFor();
+    equal(await page.locator('[data-readout="weight"]').count(), 0, "read-outs of a weight on bit");
     await served.stop();
   },
 
@@ -354,7 +425,7 @@ await run({
   "the seat is accessible and has its looks at every width": async () => {
     const served = await serve({ "case.toml": SLANT });
     for (const [theme, width, height] of [
-      ["light", 1440, 900], ["dark", 1440, 900], ["light", 900, 900], ["dark", 900, 900], ["light", 420, 900], ["dark", 420, 900],
+      ["light", 1440, 900], ["dark", 1440, 900], ["light", 1920, 1080], ["light", 900, 900], ["dark", 900, 900], ["light", 420, 900], ["dark", 420, 900],
     ]) {
       const page = await openPage(served, { width, height, theme, flags: FLAGS });
       await sit(page, theme === "light" && width === 1440);
@@ -367,6 +438,8 @@ await run({
       await accessible(page, `${theme}, ${width}`);
       const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
       check(over <= 0, `at ${width} px the page is ${over} px too wide`);
+      const scrolls = await page.evaluate(() => document.documentElement.scrollHeight - document.documentElement.clientHeight);
+      if (width >= 1440) check(scrolls <= 0, `at ${width} × ${height} the page is ${scrolls} px too high`);
       await picture(page, `seat-${width}-${theme}`);
       equal(page.complaints, [], "complaints");
       await page.context().close();

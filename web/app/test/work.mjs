@@ -48,7 +48,7 @@ async function frame(page) {
 await run({
   async "from an empty folder to a printed plan"() {
     const { served, page, end } = await open();
-    await button(page, /^New case/).click();
+    await button(page, /^Open an example/).click();
     await page.getByText("A slant well of 1200 m").click();
     await button(page, "Make the case").click();
     await until(() => existsSync(join(served.folder, "slant.toml")), "the case is written");
@@ -272,13 +272,13 @@ await run({
           area.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
         }
       }, files);
-    await button(page, "New case…").waitFor();
+    await page.getByRole("button", { name: /^Open an example/ }).waitFor();
     const mine = text("vertical.toml");
     await drop([["mine.toml", mine]]);
     await until(() => page.url().includes("#/case/"), "a case is opened");
     equal(served.read("mine.toml"), mine, "it is written as it was");
     await page.getByRole("link", { name: "Cases", exact: true }).click();
-    await button(page, "New case…").waitFor();
+    await page.getByRole("button", { name: /^Open an example/ }).waitFor();
     await drop([["mine.toml", mine], ["survey.csv", "MD (m),Inc (deg),Azi (deg)\n0,0,0\n1000,0,0\n1100,3,45\n"]]);
     await page.getByRole("heading", { name: "Resulting case" }).waitFor();
     check(existsSync(join(served.folder, "mine-2.toml")), "a name that is taken gets a number");
@@ -303,7 +303,7 @@ await run({
     await button(page, "Start").click();
     await page.getByText("did you mean").first().waitFor().catch(() => page.getByText("not valid").waitFor());
     await cases.selectOption(good);
-    const results = await page.getByRole("link", { name: "Results" }).first().getAttribute("href");
+    const results = await jobs(page).getByRole("link", { name: "Results" }).first().getAttribute("href");
     for (const width of [1440, 900, 420])
       for (const theme of ["light", "dark"]) {
         const other = await openPage(served, { width, theme });

@@ -1,6 +1,6 @@
 //! Case files of the folder: their texts, names and unsaved drafts.
 
-use std::time::{Duration, Instant};
+use std::{sync::Arc, time::Duration};
 
 use axum::{
     extract::{Path, Query, State},
@@ -10,12 +10,13 @@ use serde::{Deserialize, Serialize};
 use utoipa::{IntoParams, ToSchema};
 use utoipa_axum::{router::OpenApiRouter, routes};
 use wholestring_case::parse;
-use wholestring_screens::cases::Title;
+use wholestring_units::UnitSet;
 
 use super::{Json, blocking, error::ApiError};
 use crate::{
     app::App,
-    results::{CaseVerdict, Verdicts},
+    overview::{CaseOverview, Known, Silhouette},
+    results::{CaseVerdict, NewestVerdicts},
     workspace::{CaseFile, Draft, NewFile, Workspace, millis},
 };
 
@@ -39,8 +40,14 @@ pub(crate) struct CaseEntry {
     path: String,
     /// Its name in results.
     name: String,
-    /// Its first mistake; null if there is none, or if there was no time to check.
+    /// Its first mistake; null if there is none, or if it is not yet checked.
     problem: Option<String>,
+    /// The well; null for an invalid case, or if it is not yet read.
+    silhouette: Option<Silhouette>,
+    /// The verdict of the soft string; null without an answer, or if it is not yet solved.
+    overview: Option<CaseOverview>,
+    /// Whether `problem`, `silhouette` or `overview` is still computed: a later list has them.
+    is_pending: bool,
     /// The verdict on it from its newest results; null if it has none yet.
     verdict: Option<CaseVerdict>,
     /// Whether it has an unsaved draft.
@@ -49,35 +56,65 @@ pub(crate) struct CaseEntry {
     modified_ms: u64,
 }
 
-/// Time limit for reading cases; later ones are listed without problem or verdict.
-const READING_TIME: Duration = Duration::from_secs(2);
+/// Units of the sentences.
+#[derive(Debug, Deserialize, IntoParams)]
+#[serde(deny_unknown_fields)]
+#[into_params(parameter_in = Query)]
+pub(crate) struct Units {
+    /// `si`, `metric` or `field`; by default those of each case.
+    units: Option<String>,
+}
 
-/// The case files of the folder, by path.
-#[utoipa::path(get, path = "/api/cases", responses((status = 200, body = Vec<CaseEntry>)))]
-async fn list(State(app): State<App>) -> Result<Json<Vec<CaseEntry>>, ApiError> {
+/// Time limit for reading results; those not read by then are listed later.
+const READING_TIME: Duration = Duration::from_millis(150);
+
+/// The case files of the folder, by path. Overviews are computed in the background: a list has
+/// those that are complete.
+#[utoipa::path(
+    get,
+    path = "/api/cases",
+    params(Units),
+    responses((status = 200, body = Vec<CaseEntry>), (status = 422, body = ApiError))
+)]
+async fn list(
+    State(app): State<App>,
+    Query(Units { units }): Query<Units>,
+) -> Result<Json<Vec<CaseEntry>>, ApiError> {
     blocking(move || {
-        let verdicts = Verdicts::of(&app.workspace, READING_TIME);
-        let begin = Instant::now();
-        let is_read = || begin.elapsed() < READING_TIME;
-        let entry = |case: CaseFile| entry(&app.workspace, case, &verdicts, is_read());
-        Ok(Json(app.workspace.cases().into_iter().map(entry).collect()))
+        let units = units.map(|units| units.parse::<UnitSet>()).transpose();
+        let units = units.map_err(|error| ApiError::bad_input(error.to_string()))?;
+        let verdicts = app.verdicts.newest(&app.workspace, READING_TIME);
+        let cases = app.workspace.cases();
+        let revision =
+            |case: &CaseFile| case.read().map_or_else(|_| String::new(), |read| read.revision);
+        let revised: Vec<_> = cases.iter().map(|case| (case, revision(case))).collect();
+        let known = app.overviews.of(&revised);
+        let entries = cases.into_iter().zip(known);
+        let entry = |(case, known)| entry(&app.workspace, case, known, &verdicts, units);
+        Ok(Json(entries.map(entry).collect()))
     })
     .await
 }
 
-fn entry(workspace: &Workspace, case: CaseFile, verdicts: &Verdicts, is_read: bool) -> CaseEntry {
+fn entry(
+    workspace: &Workspace,
+    case: CaseFile,
+    known: Option<Arc<Known>>,
+    verdicts: &NewestVerdicts,
+    units: Option<UnitSet>,
+) -> CaseEntry {
     let stem = case.path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    let title = match case.read() {
-        Err(error) => Title { problem: Some(error.to_string()), ..Title::default() },
-        Ok(_) if !is_read => Title::default(),
-        Ok(read) => Title::of(&case.shown, &read.text, &workspace.beside(&case)),
-    };
-    let Title { name, problem, settings } = title;
-    let verdict = settings.and_then(|settings| verdicts.on(name.as_deref()?, &settings));
+    let known = known.as_deref();
+    let title = known.map(|known| &known.title);
+    let name = title.and_then(|title| title.name.clone());
+    let settings = title.and_then(|title| title.settings.as_ref());
     CaseEntry {
+        problem: title.and_then(|title| title.problem.clone()),
+        silhouette: known.and_then(|known| known.silhouette.clone()),
+        overview: known.and_then(|known| known.overview(units)),
+        is_pending: known.is_none_or(Known::is_pending),
+        verdict: settings.and_then(|settings| verdicts.on(name.as_deref()?, settings)),
         name: name.or(stem).unwrap_or_default(),
-        problem,
-        verdict,
         has_draft: workspace.draft(&case).is_some(),
         modified_ms: millis(case.modified),
         path: case.shown,

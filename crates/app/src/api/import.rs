@@ -14,13 +14,20 @@ use super::{Json, blocking, error::ApiError};
 use crate::{
     app::App,
     import::{Reading, Said, Uploads, read},
+    limits::Limits,
 };
 
 /// The requests of this module.
-pub(crate) fn routes() -> OpenApiRouter<App> {
-    // The upload is limited here while it arrives, and is stored on disk.
-    OpenApiRouter::new().routes(routes!(import)).layer(DefaultBodyLimit::disable())
+pub(crate) fn routes(limits: &Limits) -> OpenApiRouter<App> {
+    // Files are stored on disk while they arrive. The limit is on the form as a whole, because
+    // small parts, and bytes outside of them, can be repeated without end in a chunked body.
+    OpenApiRouter::new()
+        .routes(routes!(import))
+        .layer(DefaultBodyLimit::max(limits.body_bytes + FORM_BYTES))
 }
+
+/// Space for the texts of a form and the heads of its parts, bytes.
+const FORM_BYTES: usize = 1 << 20;
 
 /// Maximum size of a text field of the form, bytes.
 const LONGEST_TEXT: usize = 64 << 10;
@@ -54,8 +61,11 @@ struct Form {
     bytes: usize,
 }
 
-fn refused(error: &MultipartError) -> ApiError {
-    ApiError::new(error.status(), "bad_form", error.body_text())
+fn refused(error: &MultipartError, app: &App) -> ApiError {
+    match error.status() {
+        StatusCode::PAYLOAD_TOO_LARGE => too_long(app.limits.body_bytes),
+        status => ApiError::new(status, "bad_form", error.body_text()),
+    }
 }
 
 impl Form {
@@ -65,7 +75,7 @@ impl Form {
             let file_name = field.file_name().unwrap_or_default().to_owned();
             let file = app.workspace.temporary_file()?;
             let upload = self.uploads.begin(&file_name, file).map_err(ApiError::bad_input)?;
-            while let Some(bytes) = field.chunk().await.map_err(|error| refused(&error))? {
+            while let Some(bytes) = field.chunk().await.map_err(|error| refused(&error, app))? {
                 self.bytes += bytes.len();
                 most(self.bytes, app.limits.body_bytes)?;
                 tokio::task::block_in_place(|| upload.write(&bytes)).map_err(ApiError::failed)?;
@@ -73,7 +83,7 @@ impl Form {
             return Ok(());
         }
         let mut text = Vec::new();
-        while let Some(bytes) = field.chunk().await.map_err(|error| refused(&error))? {
+        while let Some(bytes) = field.chunk().await.map_err(|error| refused(&error, app))? {
             text.extend_from_slice(&bytes);
             most(text.len(), LONGEST_TEXT)?;
         }
@@ -101,14 +111,16 @@ impl Form {
 fn most(bytes: usize, most: usize) -> Result<(), ApiError> {
     match bytes <= most {
         true => Ok(()),
-        false => {
-            let message = format!(
-                "more than {} MB are not imported by the page: `wholestring import` reads larger files",
-                (most >> 20).max(1)
-            );
-            Err(ApiError::new(StatusCode::PAYLOAD_TOO_LARGE, "too_long", message))
-        }
+        false => Err(too_long(most)),
     }
+}
+
+fn too_long(most: usize) -> ApiError {
+    let message = format!(
+        "more than {} MB are not imported by the page: `wholestring import` reads larger files",
+        (most >> 20).max(1)
+    );
+    ApiError::new(StatusCode::PAYLOAD_TOO_LARGE, "too_long", message)
 }
 
 /// Returns the contents of the files and the case that they make, or the questions to answer first.
@@ -129,7 +141,7 @@ async fn import(State(app): State<App>, request: Request) -> Result<Json<Reading
     let mut parts =
         parts.map_err(|error| ApiError::new(error.status(), "no_form", error.body_text()))?;
     let mut form = Form::default();
-    while let Some(field) = parts.next_field().await.map_err(|error| refused(&error))? {
+    while let Some(field) = parts.next_field().await.map_err(|error| refused(&error, &app))? {
         form.take(field, &app).await?;
     }
     if form.uploads.is_empty() {

@@ -38,7 +38,7 @@ const BETWEEN: Duration = Duration::from_millis(15);
 /// ...}` at changes and a few times a second, and `{"type": "refused", "message": "..."}`. The page
 /// sends `{"have": {"epoch": 0, "next": 0}}` first, then at any time `{"set":
 /// {"rotary_speed_rad_per_s": 12.5}}`, `{"pace": 10}`, `{"pace": "max"}`, `{"run": true}`,
-/// `{"step": 0.1}`.
+/// `{"step": 0.1}`, `{"units": "field"}`.
 ///
 /// Binary is little-endian: a head of 24 bytes with the kind (u32: 1 samples, 2 a frame), the count
 /// of rows or nodes (u32), the epoch (u32), a reserved field (u32), and the number of the first
@@ -111,7 +111,7 @@ async fn attend(socket: WebSocket, string: &Arc<LiveString>) {
                 }
             }
             changed = status.changed() => {
-                if changed.is_err() || !give_status(&mut sink, &mut status).await {
+                if changed.is_err() || !give_status(&mut sink, &viewing, &mut status).await {
                     return;
                 }
             }
@@ -132,15 +132,19 @@ async fn attend(socket: WebSocket, string: &Arc<LiveString>) {
             }
         }
         if string.has_ended() {
-            give_status(&mut sink, &mut status).await;
+            give_status(&mut sink, &viewing, &mut status).await;
             let _ = timeout(PATIENCE, sink.close()).await;
             return;
         }
     }
 }
 
-async fn give_status(sink: &mut Sink, status: &mut watch::Receiver<Arc<Status>>) -> bool {
-    let now = status.borrow_and_update().clone();
+async fn give_status(
+    sink: &mut Sink,
+    viewing: &Viewing,
+    status: &mut watch::Receiver<Arc<Status>>,
+) -> bool {
+    let now = viewing.status(&status.borrow_and_update().clone());
     tell(sink, &Told::Status(&now)).await
 }
 

@@ -22,10 +22,10 @@ use utoipa_axum::router::OpenApiRouter;
 use error::ApiError;
 pub(crate) use error::{Json, blocking};
 
-use crate::{app::App, assets};
+use crate::{app::App, assets, limits::Limits};
 
 /// The routes of all modules.
-fn nouns() -> OpenApiRouter<App> {
+fn nouns(limits: &Limits) -> OpenApiRouter<App> {
     OpenApiRouter::new()
         .merge(program::routes())
         .merge(cases::routes())
@@ -34,12 +34,12 @@ fn nouns() -> OpenApiRouter<App> {
         .merge(live_socket::routes())
         .merge(jobs::routes())
         .merge(results::routes())
-        .merge(import::routes())
+        .merge(import::routes(limits))
 }
 
 /// All routes: the API, its description, and the page.
 pub(crate) fn router(app: App) -> Router {
-    let (router, document) = nouns().split_for_parts();
+    let (router, document) = nouns(&app.limits).split_for_parts();
     router
         .merge(document::routes(document))
         .merge(assets::routes())

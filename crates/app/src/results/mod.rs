@@ -7,4 +7,4 @@ mod verdict;
 
 pub(crate) use compared::{Compared, compare};
 pub(crate) use entry::{Found, POLICY, ResultsEntry, checks, page};
-pub(crate) use verdict::{CaseVerdict, Verdicts};
+pub(crate) use verdict::{CaseVerdict, NewestVerdicts, Verdicts};

@@ -1,6 +1,12 @@
 //! The verdict on a case, from its existing results.
 
-use std::time::{Duration, Instant};
+use std::{
+    collections::HashMap,
+    fs, mem,
+    path::PathBuf,
+    sync::{Arc, Mutex, PoisonError},
+    time::{Duration, Instant, SystemTime},
+};
 
 use serde::Serialize;
 use serde_json::Value;
@@ -10,7 +16,7 @@ use wholestring_results::checks_of;
 use wholestring_screens::words::Severity;
 
 use super::{ResultsEntry, entry::summary};
-use crate::workspace::Workspace;
+use crate::workspace::{ResultsPlace, Workspace};
 
 /// Parts of the settings that change the answer of a case; models, depths of a plan, records and
 /// names do not.
@@ -36,9 +42,15 @@ pub(crate) struct CaseVerdict {
     is_current: bool,
 }
 
-/// Results of a folder that have a verdict.
+/// Size of a summary and time of its last change.
+type Stamp = (u64, SystemTime);
+
+/// A summary when it was read, and its verdict if it has one.
+type Stored = (Stamp, Option<Arc<Known>>);
+
+/// Verdicts of the results of a folder, stored until their summaries change.
 #[derive(Debug, Default)]
-pub(crate) struct Verdicts(Vec<Known>);
+pub(crate) struct Verdicts(Mutex<HashMap<PathBuf, Stored>>);
 
 #[derive(Debug)]
 struct Known {
@@ -48,25 +60,50 @@ struct Known {
     overall: Overall,
 }
 
-impl Verdicts {
-    /// Reads the verdicts of the folder within a time limit.
-    pub(crate) fn of(workspace: &Workspace, reading_time: Duration) -> Self {
-        let begin = Instant::now();
-        let places = workspace.results().into_iter();
-        let places = places.take_while(|_| begin.elapsed() < reading_time);
-        let known = places.filter_map(|place| {
-            let mut summary = summary(&place.path)?;
-            let case = summary["case"].as_str()?.to_owned();
-            let checks = checks_of(&summary);
-            let overall = Overall::of(checks.iter().map(|named| &named.check))?;
-            let settings = summary["settings"].take();
-            Some(Known { entry: ResultsEntry::of(&place), case, settings, overall })
-        });
-        let mut all: Vec<Known> = known.collect();
-        all.sort_by_key(|known| std::cmp::Reverse(known.entry.modified_ms()));
-        Self(all)
+impl Known {
+    fn of(place: &ResultsPlace) -> Option<Self> {
+        let mut summary = summary(&place.path)?;
+        let case = summary["case"].as_str()?.to_owned();
+        let checks = checks_of(&summary);
+        let overall = Overall::of(checks.iter().map(|named| &named.check))?;
+        let settings = summary["settings"].take();
+        Some(Self { entry: ResultsEntry::of(place), case, settings, overall })
     }
+}
 
+impl Verdicts {
+    /// Reads the results of the folder that have a verdict, the newest first, within a time limit.
+    pub(crate) fn newest(&self, workspace: &Workspace, reading_time: Duration) -> NewestVerdicts {
+        let begin = Instant::now();
+        // Values are replaced as a whole: a panic leaves none half written.
+        let mut stored = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut former = mem::take(&mut *stored);
+        let mut all = Vec::new();
+        for place in workspace.results() {
+            let about = fs::metadata(place.path.join("summary.json"));
+            let Some(stamp) =
+                about.ok().and_then(|about| Some((about.len(), about.modified().ok()?)))
+            else {
+                continue;
+            };
+            let known = match former.remove(&place.path) {
+                Some((same, known)) if same == stamp => known,
+                _ if begin.elapsed() >= reading_time => continue,
+                _ => Known::of(&place).map(Arc::new),
+            };
+            all.extend(known.clone());
+            stored.insert(place.path, (stamp, known));
+        }
+        all.sort_by_key(|known| std::cmp::Reverse(known.entry.modified_ms()));
+        NewestVerdicts(all)
+    }
+}
+
+/// Results that have a verdict, the newest first.
+#[derive(Debug)]
+pub(crate) struct NewestVerdicts(Vec<Arc<Known>>);
+
+impl NewestVerdicts {
     /// The verdict on the case with this name and these settings: from the newest results of
     /// exactly this case or, if there are none, from the newest of an earlier state.
     pub(crate) fn on(&self, name: &str, settings: &Value) -> Option<CaseVerdict> {

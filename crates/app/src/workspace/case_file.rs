@@ -1,6 +1,7 @@
 //! A case file of the folder.
 
 use std::{
+    borrow::Cow,
     fs, io,
     path::{Path, PathBuf},
     time::SystemTime,
@@ -298,13 +299,23 @@ fn check_case_name(name: &str) -> Result<(), WorkspaceError> {
     match name.to_ascii_lowercase().ends_with(".toml") {
         true => Ok(()),
         false => {
-            let why = "a case file ends in `.toml`";
+            let why = "a case file ends in `.toml`".into();
             Err(WorkspaceError::Name { name: name.to_owned(), why })
         }
     }
 }
 
-fn wrong(name: &str) -> Option<&'static str> {
+fn wrong(name: &str) -> Option<Cow<'static, str>> {
+    let invisible = wholestring_case::invisible(name);
+    let invisible = invisible.map(|letter| {
+        let character = wholestring_case::described(letter);
+        Cow::from(format!("it contains {character}; write it without"))
+    });
+    invisible.or_else(|| mistake(name).map(Cow::from))
+}
+
+/// The same for names of visible characters.
+fn mistake(name: &str) -> Option<&'static str> {
     if name.is_empty() {
         return Some("it is empty");
     }
@@ -371,5 +382,7 @@ mod tests {
             assert!(wrong(name).is_some(), "{name:?}");
         }
         assert!(wrong(&"a".repeat(201)).is_some());
+        let why = wrong("well\u{202e}7.toml").unwrap();
+        assert!(why.contains("U+202E (right-to-left override)"), "{why}");
     }
 }

@@ -1,6 +1,7 @@
 //! The folder: which paths are inside it, and its contents.
 
 use std::{
+    borrow::Cow,
     fs, io,
     path::{Path, PathBuf},
     sync::{Mutex, MutexGuard, PoisonError},
@@ -92,7 +93,7 @@ pub(crate) enum WorkspaceError {
         /// The given name.
         name: String,
         /// Its mistake.
-        why: &'static str,
+        why: Cow<'static, str>,
     },
     /// An existing file must not be overwritten.
     #[error("there is a file `{0}` already")]

@@ -6,6 +6,7 @@
 mod case_file;
 mod folder;
 mod kept;
+mod leftovers;
 mod other_file;
 mod own;
 mod results_folder;

@@ -12,10 +12,10 @@ use tempfile::NamedTempFile;
 use super::folder::{Workspace, WorkspaceError};
 
 /// The internal folder.
-const OWN: &str = ".wholestring";
+pub(super) const OWN: &str = ".wholestring";
 
 /// The folder of files that are being read.
-const TEMPORARY: &str = "temporary";
+pub(super) const TEMPORARY: &str = "temporary";
 
 impl Workspace {
     /// Creates a temporary file without a name, deleted when it is closed.
@@ -24,6 +24,8 @@ impl Workspace {
     /// Errors of the system.
     pub(crate) fn temporary_file(&self) -> Result<File, WorkspaceError> {
         let file = self.own_folder(TEMPORARY).and_then(tempfile::tempfile_in);
+        // Where a file cannot be without a name, the lock shows that it is in use.
+        let file = file.inspect(|file| drop(file.try_lock()));
         file.map_err(WorkspaceError::system("the upload cannot be stored"))
     }
 
@@ -52,6 +54,10 @@ impl Workspace {
 
 // Atomic writing of files.
 
+/// The names of files that are being written: `.wholestring-AbC123.part`.
+pub(super) const PREFIX: &str = ".wholestring-";
+pub(super) const ENDING: &str = ".part";
+
 /// Creates or replaces a file.
 pub(super) fn replace_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let written = written_beside(path, bytes)?;
@@ -74,11 +80,14 @@ pub(super) fn create_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
 /// A temporary file with these bytes in the folder of another file, deleted unless it is renamed.
 fn written_beside(path: &Path, bytes: &[u8]) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".wholestring-");
+    builder.prefix(PREFIX).suffix(ENDING);
     // The permissions of files made by the user's own programs, not those of a private file.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let mut file = builder.tempfile_in(path.parent().unwrap_or(Path::new(".")))?;
+    // Until it is closed, so that no other server takes it for a left-over file. Without locks,
+    // none is removed.
+    let _ = file.as_file().try_lock();
     file.write_all(bytes)?;
     file.as_file().sync_all()?;
     Ok(file)

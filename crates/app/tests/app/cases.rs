@@ -1,6 +1,9 @@
 //! Cases and drafts of a folder.
 
-use std::fs;
+use std::{
+    fs, thread,
+    time::{Duration, Instant},
+};
 
 use serde_json::{Value, json};
 use wholestring_case::InMemory;
@@ -40,7 +43,79 @@ fn a_folder_shows_its_cases() {
     assert_eq!(problems[3], "a value is missing after `=`");
     assert!(values("modified_ms").iter().all(|time| time.as_u64().unwrap() > 1_600_000_000_000));
     // The ids are the same in a later request.
-    assert_eq!(served.get("/api/cases").ok(), cases);
+    let later = served.get("/api/cases").ok();
+    let ids: Vec<_> = later.as_array().unwrap().iter().map(|case| case["id"].clone()).collect();
+    assert_eq!(ids, values("id"));
+}
+
+/// The cases once everything about them is computed.
+fn complete(served: &Served, query: &str) -> Value {
+    let end = Instant::now() + Duration::from_secs(60);
+    loop {
+        let cases = served.get(&format!("/api/cases{query}")).ok();
+        if cases.as_array().unwrap().iter().all(|case| case["is_pending"] == false) {
+            return cases;
+        }
+        assert!(Instant::now() < end, "{cases}");
+        thread::sleep(Duration::from_millis(20));
+    }
+}
+
+/// The overview is the judge's verdict on the answer of the soft string, and follows the files.
+#[test]
+fn a_case_has_an_overview() {
+    let case = CASE.replace(
+        "stations = [[\"0 m\", \"0 deg\", \"0 deg\"], [\"1000 m\", \"30 deg\", \"0 deg\"]]",
+        "survey = \"s.csv\"",
+    ) + "\n[rig]\nhoist_capacity = \"50 tf\"\n";
+    let survey = "md (m),inc (deg),azi (deg)\n0,0,0\n1000,30,0\n";
+    let invalid = case.replace("friction = 0.3", "friction = -1");
+    let files = [("a.toml", case.as_str()), ("b.toml", &invalid), ("s.csv", survey)];
+    let served = Served::with(&files);
+    let cases = complete(&served, "");
+    let (valid, invalid) = (&cases[0], &cases[1]);
+    assert_eq!((&invalid["overview"], &invalid["silhouette"]), (&Value::Null, &Value::Null));
+    let answer = json!({"text": case, "models": ["soft"]});
+    let path = format!("/api/cases/{}/answer", served.id("a.toml"));
+    let answer = served.post(&path, &answer).ok();
+    let overview = &valid["overview"];
+    let mut operations = answer["operations"].as_array().unwrap().iter();
+    let own = operations.find(|one| one["operation"] == overview["operation"]).unwrap();
+    assert_eq!(own["hook_load_N"], overview["hook_load_N"]);
+    let worst = &overview["check"];
+    let mut checks = own["checks"].as_array().unwrap().iter();
+    let check = checks.find(|check| check["sentence"] == worst["sentence"]);
+    let check = check.unwrap_or_else(|| panic!("{overview}"));
+    assert_eq!((&check["severity"], &check["verdict"]), (&worst["severity"], &worst["verdict"]));
+    let tvd_m = |cases: &Value| {
+        let depths = cases[0]["silhouette"]["tvd_m"].as_array().unwrap();
+        depths.last().unwrap().as_f64().unwrap()
+    };
+    let shallow_m = tvd_m(&cases);
+    // Sentences are in the requested units; an unknown set of units is refused.
+    let field = complete(&served, "?units=field");
+    assert_ne!(field[0]["overview"]["check"]["sentence"], worst["sentence"]);
+    assert_eq!(field[0]["overview"]["hook_load_N"], overview["hook_load_N"]);
+    assert_eq!(served.get("/api/cases?units=none").error(422), "bad_input");
+    // The survey is another file: its change is a change of the case.
+    fs::write(served.path().join("s.csv"), "md (m),inc (deg),azi (deg)\n0,0,0\n1000,0.5,0\n")
+        .unwrap();
+    assert!(tvd_m(&complete(&served, "")) > shallow_m + 1.0);
+}
+
+/// A folder of many cases is listed at once, and its overviews follow.
+#[test]
+fn many_cases_are_listed_before_they_are_solved() {
+    let names: Vec<String> = (0..60).map(|number| format!("{number:03}.toml")).collect();
+    let files: Vec<(&str, &str)> = names.iter().map(|name| (name.as_str(), CASE)).collect();
+    let served = Served::with(&files);
+    let cases = served.get("/api/cases").ok();
+    assert_eq!(cases.as_array().unwrap().len(), 60);
+    let complete = complete(&served, "");
+    let mut cases = complete.as_array().unwrap().iter();
+    assert!(
+        cases.all(|case| case["overview"]["hook_load_N"].is_number() && case["name"] == "slant")
+    );
 }
 
 /// A valid file may be a well that cannot be drilled: the list has the judge's verdict from the
@@ -141,6 +216,30 @@ fn a_new_case_goes_over_none() {
         ["../d.toml", "/tmp/d.toml", "d/e.toml", "d\\e.toml", "d.txt", "nul.toml", "d\0.toml", ""]
     {
         assert_eq!(new(name, json!([])).error(422), "bad_input", "{name:?}");
+    }
+    // Characters that show a name as another one.
+    for letter in
+        "\u{202a}\u{202b}\u{202c}\u{202d}\u{202e}\u{2066}\u{2067}\u{2068}\u{2069}\u{200b}\u{200e}"
+            .chars()
+    {
+        let name = format!("d{letter}lmot.toml");
+        let refused = new(&name, json!([]));
+        assert_eq!(refused.error(422), "bad_input", "{name:?}");
+        let code = format!("U+{:04X}", u32::from(letter));
+        let text = refused.json()["error"]["message"].as_str().unwrap().to_owned();
+        assert!(text.contains(&code) && text.contains("invisible"), "{text}");
+        assert!(!text.contains(letter), "{text}");
+        let path = format!("/api/cases/{}", served.id("a.toml"));
+        for action in ["rename", "copy"] {
+            let refused = served.post(&format!("{path}/{action}"), &json!({"file_name": name}));
+            assert_eq!(refused.error(422), "bad_input", "{action}: {name:?}");
+        }
+        let beside = json!([{"file_name": format!("s{letter}.csv"), "text": ""}]);
+        assert_eq!(new("d.toml", beside).error(422), "bad_input");
+        let named = CASE.replace("\"slant\"", &format!("\"sla{letter}nt\""));
+        let checked = served.post(&format!("{path}/check"), &json!({"text": named})).ok();
+        let diagnostics = checked["diagnostics"].to_string();
+        assert!(diagnostics.contains(&code), "{diagnostics}");
     }
     let outside = json!([{"file_name": "../s.csv", "text": ""}]);
     assert_eq!(new("d.toml", outside).error(422), "bad_input");

@@ -110,6 +110,10 @@ fn what_is_no_form_or_no_file_is_refused() {
         send(&served, &[("file", Some("a"), b"x"), ("file", Some("x/a"), b"y")]).error(422),
         "bad_input"
     );
+    let override_name = ("file", Some("log\u{202e}sal.exe"), &b"x"[..]);
+    let refused = send(&served, &[("name", None, b"a.toml"), override_name]);
+    assert_eq!(refused.error(422), "bad_input");
+    assert!(refused.text().contains("U+202E (right-to-left override)"), "{}", refused.text());
     // A file of unknown format is reported as such.
     let name = ("name", None, &b"a.toml"[..]);
     let noise = send(&served, &[name, ("file", Some("a.bin"), &[0, 159, 146, 150])]).ok();

@@ -321,16 +321,18 @@ fn only_so_many_wait_and_one_server_works() {
     start(&served, &request);
 
     // A second program on the folder shows the job and leaves it to the first.
-    let options = wholestring_app::Options { folder: served.path().to_owned(), port: 0 };
+    let address = wholestring_app::Address::Automatic;
+    let options = wholestring_app::Options { folder: served.path().to_owned(), port: 0, address };
     let server = wholestring_app::Server::bind(&options).unwrap();
-    let (url, stop) = (server.url(), server.stop());
+    let (links, stop) = (server.links(), server.stop());
     let thread = std::thread::spawn(move || server.run().unwrap());
-    let (host, token) = url.strip_prefix("http://").unwrap().split_once("/?token=").unwrap();
+    let (host, code) = crate::common::parts(&links.address(|| {}).unwrap());
     let port: u16 = host.rsplit(':').next().unwrap().parse().unwrap();
+    let cookie = crate::common::cookie(&crate::common::enter(port, &host, &code)).unwrap();
     let ask = |method: &str, path: &str, body: &str| {
         let head = format!(
             "{method} {path} HTTP/1.1\r\nHost: {host}\r\nOrigin: http://{host}\r\n\
-             Cookie: wholestring_{port}={token}\r\nContent-Type: application/json\r\n\
+             Cookie: {cookie}\r\nContent-Type: application/json\r\n\
              Content-Length: {}\r\nConnection: close\r\n\r\n",
             body.len()
         );

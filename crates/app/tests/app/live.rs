@@ -49,12 +49,11 @@ impl Page {
         let host = served.host();
         let mut request =
             format!("ws://{host}/api/live/{id}/socket").into_client_request().unwrap();
-        let cookie = format!("wholestring_{}={}", served.port, served.token);
         let headers = request.headers_mut();
-        headers.insert("cookie", HeaderValue::from_str(&cookie).unwrap());
+        headers.insert("cookie", HeaderValue::from_str(&served.cookie).unwrap());
         headers.insert("origin", HeaderValue::from_str(&format!("http://{host}")).unwrap());
         let socket = runtime.block_on(async {
-            let stream = TcpStream::connect(&host).await.unwrap();
+            let stream = TcpStream::connect(("127.0.0.1", served.port)).await.unwrap();
             client_async(request, stream).await.unwrap().0
         });
         let mut page = Self {
@@ -228,8 +227,14 @@ fn set_points_reach_the_engine() {
     assert_eq!(recorded[1]["set"], json!({"weight_on_bit_N": 20e3, "ramp_s": 1.0}));
     // Impossible requests are reported, and change nothing.
     for (request, words) in [
-        (json!({"set": {"rotary_speed_rad_per_s": -1.0}}), "the rotary speed is -1"),
-        (json!({"set": {"friction": 7}}), "the friction is 7"),
+        (
+            json!({"set": {"rotary_speed_rad_per_s": -1.0}}),
+            "The rotary speed of -9.549 rpm is out of range: expected 0 rpm to 1000 rpm",
+        ),
+        (
+            json!({"set": {"friction": 7}}),
+            "The friction coefficient of 7 is out of range: expected 0 to",
+        ),
         (json!({"set": {"weight_on_bit_N": 1, "block_velocity_m_per_s": 1}}), "at the same time"),
         (json!({"set": {"depth": 7}}), "unknown field"),
         (json!({"pace": 0}), "a pace is"),
@@ -245,6 +250,63 @@ fn set_points_reach_the_engine() {
     page.until(|page| page.status["sentence"].is_string());
     assert!(page.status["sentence"].as_str().unwrap().contains("pi, soft-torque, z-torque"));
     assert_eq!(page.status["events"], 2);
+}
+
+/// A weight that the string does not have is refused with the judge's sentence, in the units of the
+/// page; limits of the rig are in the layout, and exceeded ones among the alarms.
+#[test]
+fn limits_of_string_and_rig_are_alarms() {
+    let text = drilling() + "\n[rig]\ntop_drive_torque = \"0.5 kN.m\"\nhoist_capacity = \"2 MN\"\n";
+    let served = Served::with(&[("drill.toml", &text)]);
+    let case = served.id("drill.toml");
+    let id = served.post("/api/live", &json!({"case": case})).ok()["id"].clone();
+    let mut page = Page::open(&served, id.as_str().unwrap());
+    let limits = page.layout["limits"].as_array().unwrap();
+    let value = |column: &str| {
+        let limit = limits.iter().find(|limit| limit["column"] == column).unwrap();
+        limit["value"].as_f64().unwrap()
+    };
+    assert!((value("hook_load_N") - 1.8e6).abs() < 1.0 && value("surface_torque_N_m") == 500.0);
+    let too_heavy = json!({"set": {"weight_on_bit_N": 5e6}});
+    for (units, words) in [("si", "5000 kN requested"), ("field", "1124 klbf requested")] {
+        page.say(&json!({"units": units}));
+        page.say(&too_heavy);
+        let before = page.refused.len();
+        page.until(|page| page.refused.len() > before);
+        let sentence = &page.refused[before];
+        assert!(sentence.starts_with("The string is too light"), "{sentence}");
+        assert!(sentence.contains(words) && sentence.ends_with("It was not set"), "{sentence}");
+    }
+    page.say(&json!({"units": "yards"}));
+    page.until(|page| page.refused.len() > 2);
+    page.step_to(4.0);
+    assert_eq!(page.status["events"], 0);
+    page.until(|page| {
+        let alarms = page.status["alarms"].as_array().unwrap();
+        alarms.iter().any(|alarm| {
+            let sentence = alarm["sentence"].as_str().unwrap();
+            alarm["kind"] == "top_drive"
+                && alarm["severity"] == "error"
+                && sentence.contains("capacity 368.8 ft-lbf")
+        })
+    });
+    let lamp = |page: &Page, name: &str| {
+        let lamps = page.status["lamps"].as_array().unwrap();
+        lamps.iter().find(|lamp| lamp["name"] == name).unwrap()["severity"].clone()
+    };
+    assert_eq!((lamp(&page, "Top drive"), lamp(&page, "Whirl")), (json!("error"), json!("ok")));
+    let bit_depth_m = page.last("bit_depth_m");
+    assert!((page.status["hole_depth_m"].as_f64().unwrap() - bit_depth_m).abs() < 1e-3);
+    // After a rewind nothing is measured: all lamps are dark, and no alarm remains.
+    let epoch = page.epoch;
+    let first = page.status["checkpoints"][0]["number"].as_u64().unwrap();
+    let path = format!("/api/live/{}/rewind", id.as_str().unwrap());
+    assert_eq!(served.post(&path, &json!({"checkpoint": first})).status, 204);
+    page.until(|page| page.epoch != epoch && page.status["time_s"] == 0.0);
+    for name in ["Stick-slip", "Whirl", "Top drive"] {
+        assert_eq!(lamp(&page, name), Value::Null, "{name}");
+    }
+    assert_eq!(page.status["alarms"], json!([]));
 }
 
 /// A string that is rewound and replayed moves to the same bits; a branch does so, too.
@@ -335,7 +397,7 @@ fn what_cannot_be_begun_is_said() {
 fn a_foreign_page_gets_no_socket() {
     let (served, _, id) = live();
     let host = served.host();
-    let cookie = format!("Cookie: wholestring_{}={}\r\n", served.port, served.token);
+    let cookie = format!("Cookie: {}\r\n", served.cookie);
     let upgrade = |origin: &str, cookie: &str| {
         let head = format!(
             "GET /api/live/{id}/socket HTTP/1.1\r\nHost: {host}\r\nConnection: Upgrade\r\n\

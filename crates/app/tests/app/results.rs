@@ -83,7 +83,7 @@ fn a_page_is_shut_in() {
     assert!(!policy.contains("allow-same-origin") && !policy.contains("connect-src"));
     // A browser marks requests of a frame without an origin like this.
     let host = served.host();
-    let cookie = format!("Cookie: wholestring_{}={}\r\n", served.port, served.token);
+    let cookie = format!("Cookie: {}\r\n", served.cookie);
     for marks in ["Origin: null\r\n", "Sec-Fetch-Site: cross-site\r\n"] {
         let head = format!(
             "POST /api/cases HTTP/1.1\r\nHost: {host}\r\n{cookie}{marks}Content-Length: 2\r\n\

@@ -73,12 +73,56 @@ fn a_thousand_connections_keep_nobody_out_for_long() {
     let attempts: Vec<_> = attempts.collect();
     let idle: Vec<TcpStream> =
         attempts.into_iter().flat_map(|attempt| attempt.join().unwrap()).collect();
-    assert!(idle.len() >= 64, "{}", idle.len());
+    assert!(idle.len() >= 128, "{}", idle.len());
     // No permit is lost: half of those finish, the others are disconnected.
     let begin = Instant::now();
     drop(idle.into_iter().step_by(2));
     assert_eq!(served.get("/api/session").status, 200);
     assert!(begin.elapsed() < Duration::from_secs(40), "{:?}", begin.elapsed());
+}
+
+/// Connections that send nothing, or half a request, or one that is not admitted, delay nobody.
+#[test]
+fn five_hundred_silent_connections_delay_nobody() {
+    let served = Served::new();
+    let silent: Vec<TcpStream> = (0..500)
+        .map(|number| {
+            let mut stream = connect(&served);
+            let sent: &[u8] = match number % 3 {
+                0 => b"",
+                1 => b"GET / HTTP/1.1\r\nX: ",
+                _ => b"POST /enter HTTP/1.1\r\nHost: x\r\nContent-Length: 9\r\n\r\n",
+            };
+            let _ = stream.write_all(sent);
+            stream
+        })
+        .collect();
+    let begin = Instant::now();
+    assert_eq!(served.get("/api/session").status, 200);
+    let first = begin.elapsed();
+    for _ in 0..5 {
+        assert_eq!(served.get("/api/session").status, 200);
+    }
+    println!("{first:?}, and {:?} with five more", begin.elapsed());
+    // On a loaded machine the system's queue may be full for a moment, and a client tries again
+    // after one second, then after two.
+    assert!(begin.elapsed() < Duration::from_secs(5), "{first:?}, {:?}", begin.elapsed());
+    drop(silent);
+}
+
+/// An admitted connection is not replaced, however many others come.
+#[test]
+fn an_admitted_connection_keeps_its_place() {
+    let served = Served::new();
+    let mut admitted = connect(&served);
+    let head = format!("GET /api/session HTTP/1.1\r\n{}\r\n", served.headers());
+    admitted.write_all(head.as_bytes()).unwrap();
+    assert_eq!(read_answer(&mut admitted).status, 200);
+    let silent: Vec<TcpStream> = (0..200).map(|_| connect(&served)).collect();
+    assert_eq!(served.get("/api/session").status, 200);
+    admitted.write_all(head.as_bytes()).unwrap();
+    assert_eq!(read_answer(&mut admitted).status, 200);
+    drop(silent);
 }
 
 #[test]
@@ -94,7 +138,7 @@ fn a_body_that_is_too_long_is_refused_before_it_is_taken() {
 }
 
 fn connect(served: &Served) -> TcpStream {
-    try_connect(served.port).unwrap()
+    TcpStream::connect(("127.0.0.1", served.port)).unwrap()
 }
 
 fn try_connect(port: u16) -> Option<TcpStream> {

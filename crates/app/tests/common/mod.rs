@@ -8,7 +8,7 @@ pub mod link;
 use std::{fs, path::Path, thread::JoinHandle};
 
 use serde_json::Value;
-use wholestring_app::{Options, Server, Stop};
+use wholestring_app::{Address, Links, Options, Server, Stop};
 
 pub use client::{Answer, exchange, read_answer};
 
@@ -39,11 +39,38 @@ length = "to surface"
 kind = "trip_out"
 "#;
 
+/// Host and code of a link.
+pub fn parts(link: &str) -> (String, String) {
+    let (host, code) = link.strip_prefix("http://").unwrap().split_once("/enter#").unwrap();
+    (host.to_owned(), code.to_owned())
+}
+
+/// Sends the form of a link.
+pub fn enter(port: u16, host: &str, code: &str) -> Answer {
+    let form = format!("code={code}");
+    let head = format!(
+        "POST /enter HTTP/1.1\r\nHost: {host}\r\nOrigin: null\r\nContent-Length: {}\r\n\
+         Content-Type: application/x-www-form-urlencoded\r\n\r\n",
+        form.len()
+    );
+    exchange(port, &head, form.as_bytes())
+}
+
+/// The cookie of a response: `name=value`.
+pub fn cookie(answer: &Answer) -> Option<String> {
+    let cookie = answer.header("set-cookie")?.split(';').next()?;
+    Some(cookie.to_owned())
+}
+
 /// A served folder; the server ends when this is dropped.
 pub struct Served {
     pub folder: tempfile::TempDir,
     pub port: u16,
-    pub token: String,
+    /// The server's name and port.
+    host: String,
+    /// The cookie of an admitted browser: `name=value`.
+    pub cookie: String,
+    pub links: Links,
     stop: Stop,
     thread: Option<JoinHandle<()>>,
 }
@@ -67,14 +94,19 @@ impl Served {
 
     /// An existing folder.
     pub fn of(folder: tempfile::TempDir) -> Self {
-        let options = Options { folder: folder.path().to_owned(), port: 0 };
+        Self::at(folder, Address::Automatic)
+    }
+
+    /// An existing folder at an address of this kind.
+    pub fn at(folder: tempfile::TempDir, address: Address) -> Self {
+        let options = Options { folder: folder.path().to_owned(), port: 0, address };
         let server = Server::bind(&options).unwrap();
-        let url = server.url();
-        let (host, token) = url.split_once("/?token=").unwrap();
-        let port = host.rsplit(':').next().unwrap().parse().unwrap();
-        let stop = server.stop();
+        let (links, stop) = (server.links(), server.stop());
         let thread = std::thread::spawn(move || server.run().unwrap());
-        Self { folder, port, token: token.to_owned(), stop, thread: Some(thread) }
+        let (host, code) = parts(&links.address(|| {}).unwrap());
+        let port = host.rsplit(':').next().unwrap().parse().unwrap();
+        let cookie = cookie(&enter(port, &host, &code)).unwrap();
+        Self { folder, port, host, cookie, links, stop, thread: Some(thread) }
     }
 
     /// Ends the server, and starts another on the same folder after `between`.
@@ -98,16 +130,23 @@ impl Served {
     }
 
     pub fn host(&self) -> String {
-        format!("127.0.0.1:{}", self.port)
+        self.host.clone()
+    }
+
+    /// A new link, as the code that it ends in.
+    pub fn code(&self) -> String {
+        parts(&self.links.address(|| {}).unwrap()).1
+    }
+
+    /// The exchange of a code for a cookie.
+    pub fn enter(&self, code: &str) -> Answer {
+        enter(self.port, &self.host, code)
     }
 
     /// The headers of an admitted page.
     pub fn headers(&self) -> String {
-        let Self { port, token, .. } = self;
-        format!(
-            "Host: 127.0.0.1:{port}\r\nOrigin: http://127.0.0.1:{port}\r\n\
-             Cookie: wholestring_{port}={token}\r\n"
-        )
+        let Self { host, cookie, .. } = self;
+        format!("Host: {host}\r\nOrigin: http://{host}\r\nCookie: {cookie}\r\n")
     }
 
     /// Sends a head and a body as they are, and reads the response.

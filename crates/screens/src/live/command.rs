@@ -1,6 +1,8 @@
 //! Commands to a live string that have a response, handled in order.
 
 use tokio::sync::oneshot;
+use wholestring_judge::Wording;
+use wholestring_units::UnitSet;
 
 /// Reason why a live string refuses a request.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -8,8 +10,8 @@ pub enum LiveError {
     /// The object does not exist.
     #[error("there is no such {0}")]
     Nothing(&'static str),
-    /// The request is invalid.
-    #[error("{0}")]
+    /// The request is invalid; quantities of the sentence may be marked.
+    #[error("{}", Wording::from(.0.as_str()).in_units(UnitSet::Si))]
     Refused(String),
     /// It has ended.
     #[error("{0}")]
@@ -20,6 +22,16 @@ pub enum LiveError {
     /// An operation failed unexpectedly.
     #[error("{0}")]
     Failed(String),
+}
+
+impl LiveError {
+    /// The reason in these units.
+    pub fn in_units(&self, units: UnitSet) -> String {
+        match self {
+            Self::Refused(sentence) => Wording::from(sentence.as_str()).in_units(units),
+            error => error.to_string(),
+        }
+    }
 }
 
 /// Channel of the response.

@@ -2,18 +2,24 @@
 
 use std::{collections::VecDeque, sync::Arc, time::Duration};
 
+use wholestring::dynamics::Indicators;
+use wholestring_judge::Check;
 use wholestring_runner::{CancellationToken, Instant, Silent, run::Live};
+use wholestring_units::significant;
 
 use super::{
     begin::{Beginning, Begun, Keeps, begin, last_controller},
     channels,
     command::LiveError,
-    lamps::{Lamps, Watched},
+    lamp::Lamp,
+    lamps,
     live_string::{FrameNow, LiveString, held},
+    long_elements,
     pace::{Next, Pace, Pacer},
     recording::RecordedEvent,
     status::{LiveState, Status},
     wanted::Asked,
+    watched::Watched,
 };
 
 /// Simulated time between two checkpoints, and between two starts of the window, s.
@@ -49,7 +55,7 @@ pub struct Engine {
     pub(super) refused: Option<String>,
     pub(super) controller: Option<&'static str>,
     pub(super) watched: Watched,
-    pub(super) lamps: Lamps,
+    pub(super) indicators: Indicators,
     /// Number of rows of the series that are sent.
     pub(super) rows: usize,
     pub(super) epoch: u32,
@@ -59,12 +65,8 @@ pub struct Engine {
     pub(super) last_status: Instant,
 }
 
-pub(super) fn watched(live: &Live, string: &LiveString) -> Watched {
-    let (case, operation) = (&string.case, &string.operation);
-    let limit = case.dynamics.top_drive.torque_limit_N_m();
-    let limit = limit.or(case.model.rig.top_drive_torque_N_m);
-    Watched::new(live.simulation(), limit, operation.kind.rotates())
-}
+/// Part of the requested pace below which a string is slow.
+const SLOW: f64 = 0.9;
 
 impl Engine {
     /// Starts a string, initially paused. This takes a second or more.
@@ -106,8 +108,8 @@ impl Engine {
             failed: None,
             refused: None,
             controller: last_controller(&string.case, &string.events()),
-            watched: watched(&live, &string),
-            lamps: Lamps::default(),
+            watched: Watched::new(live.simulation(), &string),
+            indicators: Indicators::default(),
             rows: live.simulation().series().time_s.len(),
             epoch: 0,
             replay: VecDeque::new(),
@@ -213,13 +215,17 @@ impl Engine {
         let time_s = self.time_s();
         self.pacer.went(began, Instant::now(), time_s - before_s, time_s);
         if let Err(error) = advanced {
-            self.failed = Some(format!("the string cannot continue from here: {error}"));
+            let element = self.live.simulation().buckled_element();
+            self.failed = Some(element.map_or_else(
+                || format!("The string cannot continue from here: {error}"),
+                |element| long_elements::stopped(&element),
+            ));
             (self.runs, self.step_s) = (false, 0.0);
             *news = true;
         }
         self.show();
         if time_s - self.checkpoint.0 >= CHECKPOINT_S {
-            self.lamps = self.watched.lamps(self.live.simulation());
+            self.indicators = self.watched.indicators(self.live.simulation());
             self.live.restart_window();
             self.rows = 0;
             if self.checkpoint.1.elapsed() >= CHECKPOINT_CLOCK && self.failed.is_none() {
@@ -236,14 +242,16 @@ impl Engine {
     pub(super) fn show(&mut self) {
         let simulation = self.live.simulation();
         let series = simulation.series();
+        let frame = simulation.frame();
         if series.time_s.len() > self.rows {
             let rows = channels::sample_rows(series, self.rows);
             self.watched.add(simulation, self.rows);
             self.rows = series.time_s.len();
             held(&self.string.ring).extend(&rows);
+            self.watched.add_frame(&frame, simulation.time_s());
         }
         if self.string.frames.receiver_count() > 0 || !self.runs {
-            let columns = channels::frame_columns(&simulation.frame());
+            let columns = channels::frame_columns(&frame);
             let frame = FrameNow { epoch: self.epoch, time_s: simulation.time_s(), columns };
             self.string.frames.send_replace(Arc::new(frame));
         }
@@ -252,7 +260,8 @@ impl Engine {
     /// Publishes the status.
     fn tell(&mut self) {
         self.last_status = Instant::now();
-        self.lamps = self.watched.lamps(self.live.simulation());
+        self.indicators = self.watched.indicators(self.live.simulation());
+        let (alarms, lamps) = self.judged();
         let state = match (&self.failed, self.runs || self.step_s > 0.0) {
             (Some(_), _) => LiveState::Failed,
             (None, true) => LiveState::Running,
@@ -261,6 +270,7 @@ impl Engine {
         let status = Status {
             state,
             sentence: self.failed.clone().or(self.refused.clone()),
+            slow: self.slow(),
             time_s: self.time_s(),
             pace: self.pacer.pace(),
             reached: if self.runs { self.pacer.reached() } else { 0.0 },
@@ -269,10 +279,66 @@ impl Engine {
             replaying: self.replay.len(),
             friction: self.live.simulation().friction(),
             controller: self.controller.map(str::to_owned),
-            lamps: self.lamps,
+            hole_depth_m: self.hole_depth_m(),
+            alarms,
+            lamps,
             viewers: self.string.viewers(),
         };
         self.string.status.send_replace(Arc::new(status));
+    }
+
+    /// The judge's checks of the present motion that need attention, and the lamps.
+    fn judged(&mut self) -> (Vec<Check>, Vec<Lamp>) {
+        let (string, indicators) = (&self.string, &self.indicators);
+        let case = &string.case;
+        let alarms = self.watched.alarms(case, string, indicators);
+        let limit_N_m = case.dynamics.top_drive.torque_limit_N_m();
+        let limit_N_m = limit_N_m.or(case.model.rig.top_drive_torque_N_m);
+        let lamps = lamps::lamps(&self.watched, indicators, &alarms, limit_N_m);
+        (alarms, lamps)
+    }
+
+    /// Depth of the hole, m: that of the bit where it is on bottom.
+    fn hole_depth_m(&self) -> f64 {
+        let bit_m = self.live.simulation().frame().md_m.last().copied();
+        let bit_m = bit_m.unwrap_or(self.string.operation.bit_depth_m);
+        if self.string.operation.kind.on_bottom() {
+            return bit_m;
+        }
+        let sections = self.string.case.model.well.hole.sections();
+        sections.last().map_or(bit_m, |section| section.to_md_m.max(bit_m))
+    }
+
+    /// The reason why a running string is slower than its pace, in a sentence.
+    fn slow(&self) -> Option<String> {
+        let reached = self.pacer.reached();
+        let is_measured = self.runs && reached > 0.0;
+        let requested = match self.pacer.pace() {
+            Pace::Times(times) => Some(times),
+            Pace::Fastest(_) => None,
+        };
+        let is_slow = requested.is_none_or(|times| reached < SLOW * times);
+        let speed = || format!("{} times real time", significant(reached, 2));
+        let wait = || format!("1 s takes {} s", significant(1.0 / reached, 2));
+        match self.live.is_on_rock() {
+            true if is_measured && is_slow && reached < SLOW => Some(format!(
+                "Solid rock under the bit: the string runs at {} ({}), because the rock under each \
+                 cutter is solved at every step",
+                speed(),
+                wait()
+            )),
+            true if !is_measured => Some(
+                "Solid rock under the bit: the string will run far below real time, because the \
+                 rock under each cutter is solved at every step"
+                    .to_owned(),
+            ),
+            false if is_measured && is_slow && requested.is_some() => Some(format!(
+                "This machine reaches {} of the {} requested",
+                speed(),
+                significant(requested.unwrap_or_default(), 3)
+            )),
+            _ => None,
+        }
     }
 
     pub(super) fn restart_pace(&mut self, pace: Pace) {

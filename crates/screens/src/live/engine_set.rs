@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 
+use wholestring::dynamics::Indicators;
 use wholestring_runner::{
     Instant,
     run::{Live, OwnLaws},
@@ -10,10 +11,12 @@ use wholestring_runner::{
 use super::{
     begin::{controllers, last_controller, refused},
     command::{Command, LiveError},
-    engine::{Engine, watched},
+    engine::Engine,
     live_string::held,
+    long_elements,
     recording::{MOST_EVENTS, RecordedEvent},
     set_points::SetPoints,
+    watched::Watched,
 };
 
 impl Engine {
@@ -32,6 +35,8 @@ impl Engine {
                 self.refused = None;
                 held(&self.string.recording).add(RecordedEvent { at_s, set, before });
             }
+            // Its quantities stay marked until a viewer's units are known.
+            Err(LiveError::Refused(sentence)) => self.refused = Some(sentence),
             Err(error) => self.refused = Some(error.to_string()),
         }
     }
@@ -52,6 +57,15 @@ impl Engine {
         }
         if let Some(friction) = set.friction {
             self.live.set_friction(&[friction], set.ramp_s).map_err(refused)?;
+        }
+        let set_N = self.live.simulation().series().weight_on_bit_set_N.last().copied().flatten();
+        let heavier = set
+            .weight_on_bit_N
+            .filter(|weight_N| *weight_N > set_N.unwrap_or(self.string.operation.weight_on_bit_N));
+        if let Some(weight_N) = heavier
+            && let Some(element) = self.live.simulation().buckled_element_under(weight_N)
+        {
+            return Err(LiveError::Refused(long_elements::refused(weight_N, &element)));
         }
         match set.line(at_s) {
             Some(line) => self.live.add_to_schedule(line).map_err(refused),
@@ -111,7 +125,8 @@ impl Engine {
         held(&self.string.checkpoints).rewind(entry.number);
         held(&self.string.ring).rewind((time_s / self.sample_s()).round() as u64);
         self.epoch += 1;
-        self.watched = watched(&self.live, &self.string);
+        self.watched = Watched::new(self.live.simulation(), &self.string);
+        self.indicators = Indicators::default();
         self.rows = self.live.simulation().series().time_s.len();
         self.checkpoint = (time_s, now);
         self.restart_pace(self.pacer.pace());

@@ -1,155 +1,122 @@
-//! Lamps of the present motion, by the measures of a run's summary.
+//! Lamps of the driller's seat: stick-slip, whirl and top drive.
+//!
+//! A lamp has the severity of the judge's alarms of its kinds, so that lamps and alarms agree. All
+//! are dark until enough time is measured, as at the start and after a rewind. While the top drive
+//! stalls, the other two are dark, because neither is measured on a string that does not turn.
 
-use std::collections::VecDeque;
+use wholestring::dynamics::{Indicators, Whirl};
+use wholestring_judge::{Check, CheckKind, Quantity, Severity, top_drive_severity};
 
-use serde::Serialize;
-use utoipa::ToSchema;
-use wholestring::dynamics::{Simulation, StickSlip, TorsionalString, Whirl};
-use wholestring_judge::{Severity, stick_slip_severity, top_drive_severity, whirl_severity};
+use super::{
+    lamp::Lamp,
+    watched::{MOVES_S, Watched},
+};
 
-use crate::words;
-
-/// Number of torsional periods over which stick-slip is measured.
-const PERIODS: f64 = 2.0;
-
-/// Minimum and maximum of that time, s.
-const MEASURED_S: [f64; 2] = [5.0, 60.0];
-
-/// Shortest window from which whirl is evaluated, s.
-pub(super) const WHIRL_S: f64 = 2.0;
-
-/// Lamps of the driller's seat.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, ToSchema)]
-pub struct Lamps {
-    /// Stick-slip over the last two torsional periods; null if the string does not rotate.
-    pub stick_slip: Option<StickSlipLamp>,
-    /// The fastest backward whirl.
-    pub backward_whirl: Option<WhirlLamp>,
-    /// The fastest forward whirl.
-    pub forward_whirl: Option<WhirlLamp>,
-    /// Whether the top drive's torque is limited by its capacity.
-    pub top_drive_stalls: bool,
-    /// Largest surface torque of that time over the top drive's maximum torque, or else over its
-    /// rated torque; null if neither is known.
-    pub torque_use: Option<f64>,
-    /// Severity of the stick-slip: `ok`, `note` or `warning`; null if there is none to judge.
-    #[schema(value_type = Option<words::Severity>)]
-    pub stick_slip_severity: Option<&'static str>,
-    /// Severity of the whirl, of the backward one if there are both: `ok`, `note` or `warning`.
-    #[schema(value_type = Option<words::Severity>)]
-    pub whirl_severity: Option<&'static str>,
-    /// Severity of the top drive's torque: `ok`, `note`, `warning` or `error`; null if its limit is
-    /// unknown.
-    #[schema(value_type = Option<words::Severity>)]
-    pub top_drive_severity: Option<&'static str>,
+fn percent(part: f64) -> String {
+    format!("{:.0} %", 100.0 * part)
 }
 
-/// Unsteadiness of the bit's rotation.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, ToSchema)]
-pub struct StickSlipLamp {
-    /// `(max - min)/(2 mean)` of the bit's speed; null if its mean is zero.
-    pub severity: Option<f64>,
-    /// Mean time between two slips, s; null for steady rotation.
-    pub period_s: Option<f64>,
-    /// Fraction of the time in which the bit is stuck.
-    pub stuck_fraction: f64,
+/// The most severe alarm of these kinds.
+fn alarm<'a>(alarms: &'a [Check], kinds: &[CheckKind]) -> Option<&'a Check> {
+    // Alarms are ordered by severity.
+    alarms.iter().find(|check| kinds.contains(&check.kind))
 }
 
-/// Whirl in one direction.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, ToSchema)]
-pub struct WhirlLamp {
-    /// Depth at which it is fastest, m.
-    pub md_m: f64,
-    /// Its rate over the rotary speed.
-    pub ratio: f64,
-    /// Fraction of the string in this whirl.
-    pub length_fraction: f64,
-}
+const OF_TOP_DRIVE: [CheckKind; 4] = [
+    CheckKind::TopDriveStalled,
+    CheckKind::TopDriveAtLimit,
+    CheckKind::TopDrivePeak,
+    CheckKind::TopDrive,
+];
 
-impl From<Whirl> for WhirlLamp {
-    fn from(Whirl { md_m, ratio, length_fraction, .. }: Whirl) -> Self {
-        Self { md_m, ratio, length_fraction }
-    }
-}
-
-/// Input of the lamps: the last samples, and the window of the simulation.
-#[derive(Debug)]
-pub(super) struct Watched {
-    most: usize,
-    sample_s: f64,
+/// The lamps of a motion with these alarms. `limit_N_m` is the largest torque of the top drive.
+pub(super) fn lamps(
+    watched: &Watched,
+    indicators: &Indicators,
+    alarms: &[Check],
     limit_N_m: Option<f64>,
-    rotates: bool,
-    bit_speed: VecDeque<f64>,
-    torque: VecDeque<f64>,
-    whirl: [Option<WhirlLamp>; 2],
+) -> Vec<Lamp> {
+    const NAMES: [&str; 3] = ["Stick-slip", "Whirl", "Top drive"];
+    if watched.measured_s() < MOVES_S {
+        let text = format!("Measured from {MOVES_S:.0} s of motion on");
+        return NAMES.map(|name| Lamp::dark(name, &text)).into();
+    }
+    let stalls = alarm(alarms, &[CheckKind::TopDriveStalled]).is_some();
+    let of_motion = if stalls {
+        NAMES[..2]
+            .iter()
+            .map(|name| Lamp::dark(name, "Not measured while the top drive stalls"))
+            .collect()
+    } else {
+        vec![stick_slip(watched, indicators, alarms), whirl(indicators, alarms)]
+    };
+    of_motion.into_iter().chain([top_drive(watched, alarms, limit_N_m)]).collect()
 }
 
-impl Watched {
-    pub(super) fn new(simulation: &Simulation, limit_N_m: Option<f64>, rotates: bool) -> Self {
-        let period_s = 1.0 / TorsionalString::of(simulation.mesh()).frequency_Hz;
-        let [least_s, most_s] = MEASURED_S;
-        let measured_s = (PERIODS * period_s).clamp(least_s, most_s);
-        let sample_s = simulation.sample_interval_s();
-        Self {
-            most: (measured_s / sample_s).ceil() as usize,
-            sample_s,
-            limit_N_m,
-            rotates,
-            bit_speed: VecDeque::new(),
-            torque: VecDeque::new(),
-            whirl: [None; 2],
+fn stick_slip(watched: &Watched, indicators: &Indicators, alarms: &[Check]) -> Lamp {
+    const NAME: &str = "Stick-slip";
+    if !watched.rotates() {
+        return Lamp::dark(NAME, "The string does not rotate in this operation");
+    }
+    let Some(found) = &indicators.stick_slip else {
+        return Lamp::dark(NAME, "The bit does not rotate");
+    };
+    let value = found.severity.map_or("–".to_owned(), percent);
+    match alarm(alarms, &[CheckKind::StickSlip]) {
+        Some(check) => Lamp::new(NAME, Some(check.severity), value, wording(check)),
+        None if found.severity.is_none() => Lamp::dark(NAME, "The bit does not rotate"),
+        None => {
+            let text = "Half the range of the bit's rotary speed over its mean";
+            Lamp::new(NAME, Some(Severity::Ok), value, text.to_owned())
         }
     }
+}
 
-    /// Adds the samples from a row of the series on.
-    pub(super) fn add(&mut self, simulation: &Simulation, row: usize) {
-        let series = simulation.series();
-        for (series, new) in [
-            (&mut self.bit_speed, &series.bit_rotary_speed_rad_per_s[row..]),
-            (&mut self.torque, &series.surface_torque_N_m[row..]),
-        ] {
-            let new = &new[new.len().saturating_sub(self.most)..];
-            let over = (series.len() + new.len()).saturating_sub(self.most);
-            series.drain(..over);
-            series.extend(new);
+fn whirl(indicators: &Indicators, alarms: &[Check]) -> Lamp {
+    const NAME: &str = "Whirl";
+    let of_direction = |word: &str, kind, found: &Whirl| {
+        let check = alarm(alarms, &[kind])?;
+        let text = format!(
+            "{:.1} times the rotary speed at {}, {} of the string",
+            found.ratio.abs(),
+            Quantity::depth(found.md_m),
+            percent(found.length_fraction)
+        );
+        Some(Lamp::new(NAME, Some(check.severity), word.to_owned(), text))
+    };
+    let backward = indicators.backward_whirl.as_ref();
+    let forward = indicators.forward_whirl.as_ref();
+    backward
+        .and_then(|found| of_direction("backward", CheckKind::BackwardWhirl, found))
+        .or_else(|| {
+            forward.and_then(|found| of_direction("forward", CheckKind::ForwardWhirl, found))
+        })
+        .unwrap_or_else(|| {
+            let text = "No part of the string circles in the hole";
+            Lamp::new(NAME, Some(Severity::Ok), "none".to_owned(), text.to_owned())
+        })
+}
+
+fn top_drive(watched: &Watched, alarms: &[Check], limit_N_m: Option<f64>) -> Lamp {
+    const NAME: &str = "Top drive";
+    let Some(limit_N_m) = limit_N_m else {
+        return Lamp::dark(NAME, "The case gives no torque of the top drive");
+    };
+    let torque_use = watched.largest_torque_N_m() / limit_N_m;
+    let severity = top_drive_severity(torque_use, false);
+    let text = format!("{} of the top drive's torque is used", percent(torque_use));
+    match alarm(alarms, &OF_TOP_DRIVE) {
+        Some(check) => {
+            Lamp::new(NAME, Some(check.severity.max(severity)), percent(torque_use), wording(check))
         }
+        None => Lamp::new(NAME, Some(severity), percent(torque_use), text),
     }
+}
 
-    /// The present lamps.
-    pub(super) fn lamps(&mut self, simulation: &Simulation) -> Lamps {
-        let series = simulation.series();
-        if let [first, .., last] = series.time_s[..]
-            && last - first >= WHIRL_S
-        {
-            let found = simulation.indicators();
-            self.whirl =
-                [found.backward_whirl, found.forward_whirl].map(|whirl| whirl.map(Into::into));
-        }
-        let [backward_whirl, forward_whirl] = self.whirl;
-        let largest = self.torque.iter().fold(0.0_f64, |most, torque| most.max(torque.abs()));
-        let (speed, torque) = (self.bit_speed.make_contiguous(), self.torque.make_contiguous());
-        let stick_slip = StickSlip::of(speed, torque, self.sample_s).filter(|_| self.rotates);
-        let is_stalled = simulation.is_top_drive_stalled();
-        let torque_use = self.limit_N_m.map(|limit| largest / limit);
-        let whirl = backward_whirl.or(forward_whirl);
-        let whirl = whirl.map_or(Severity::Ok, |_| whirl_severity(backward_whirl.is_some()));
-        Lamps {
-            stick_slip_severity: stick_slip
-                .as_ref()
-                .and_then(stick_slip_severity)
-                .map(Severity::name),
-            stick_slip: stick_slip.map(|stick_slip| StickSlipLamp {
-                severity: stick_slip.severity,
-                period_s: stick_slip.period_s,
-                stuck_fraction: stick_slip.stuck_fraction,
-            }),
-            backward_whirl,
-            forward_whirl,
-            top_drive_stalls: is_stalled,
-            torque_use,
-            whirl_severity: Some(whirl.name()),
-            top_drive_severity: (is_stalled || torque_use.is_some())
-                .then(|| top_drive_severity(torque_use.unwrap_or(1.0), is_stalled).name()),
-        }
+/// The sentence of a check with its quantities marked.
+fn wording(check: &Check) -> String {
+    match check.wording.is_empty() {
+        true => check.sentence.clone(),
+        false => check.wording.to_string(),
     }
 }

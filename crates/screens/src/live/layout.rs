@@ -12,6 +12,7 @@ use wholestring::{
     well::Path,
 };
 use wholestring_case::{Case, MAX_FRICTION, usual_speed_controllers};
+use wholestring_judge::{CheckKind, surface_limits};
 
 use super::{
     channels::{self, Channel},
@@ -20,7 +21,7 @@ use super::{
         MAX_WEIGHT_ON_BIT_N,
     },
 };
-use crate::answers::Section;
+use crate::{answers::Section, words};
 
 /// Number of points of the path in addition to its stations.
 const POINTS: usize = 400;
@@ -37,6 +38,8 @@ pub struct Layout {
     pub name: String,
     /// Name of the operation.
     pub operation: &'static str,
+    /// Depth of the bit at the start of the operation, m.
+    bit_depth_m: f64,
     /// Time between two samples, s: sample `n` is at `(n + 1)` intervals.
     pub sample_interval_s: f64,
     /// Number of samples kept for viewers that join later.
@@ -60,6 +63,22 @@ pub struct Layout {
     hole: Vec<Section>,
     /// The knobs.
     knobs: Knobs,
+    /// Limits of the strip charts.
+    limits: Vec<LiveLimit>,
+    /// Units of the case.
+    #[schema(value_type = words::UnitSet)]
+    case_units: &'static str,
+}
+
+/// A limit of a column of the samples.
+#[derive(Debug, Clone, Serialize, ToSchema)]
+pub struct LiveLimit {
+    /// Name of the column.
+    column: &'static str,
+    /// Its label.
+    label: String,
+    /// The allowable value, SI.
+    value: f64,
 }
 
 /// A display unit.
@@ -129,6 +148,7 @@ impl Layout {
             case: case_id.to_owned(),
             name: case.name.clone(),
             operation: operation.kind.name(),
+            bit_depth_m: operation.bit_depth_m,
             sample_interval_s: simulation.sample_interval_s(),
             samples_kept,
             elements: simulation.elements(),
@@ -140,6 +160,8 @@ impl Layout {
             path: path(&case.model.well.path),
             hole: case.model.well.hole.sections().iter().map(Section::of).collect(),
             knobs: knobs(case, operation),
+            limits: limits(case, operation),
+            case_units: case.units.name(),
         }
     }
 }
@@ -198,4 +220,29 @@ fn knobs(case: &Case, operation: &Operation) -> Knobs {
             .map(|(word, _)| *word)
             .collect(),
     }
+}
+
+/// Limits of rig and topmost component at the surface.
+fn limits(case: &Case, operation: &Operation) -> Vec<LiveLimit> {
+    let settings = case.judge(case.units).limits;
+    let of_surface = surface_limits(&case.model, &settings).into_iter().filter_map(|limit| {
+        let (column, label) = match limit.kind {
+            CheckKind::Hoist => ("hook_load_N", "hoist"),
+            CheckKind::Tension => ("hook_load_N", "pipe"),
+            CheckKind::TopDrive => ("surface_torque_N_m", "drive, rated"),
+            CheckKind::TopDrivePeak => ("surface_torque_N_m", "drive, peak"),
+            CheckKind::MakeUp => ("surface_torque_N_m", "make-up"),
+            _ => return None,
+        };
+        Some(LiveLimit { column, label: label.to_owned(), value: limit.allowed })
+    });
+    let limit = |column, label: &str, value: Option<f64>| {
+        value.map(|value| LiveLimit { column, label: label.to_owned(), value })
+    };
+    let drive_N_m = case.dynamics.top_drive.torque_limit_N_m();
+    let drive = limit("surface_torque_N_m", "drive, limit", drive_N_m);
+    let pump_Pa = case.model.rig.pump_pressure_limit_Pa.filter(|_| operation.kind.circulates());
+    let pump_Pa = pump_Pa.map(|limit_Pa| limit_Pa / settings.factors.pump_pressure);
+    let pump = limit("pump_pressure_Pa", "pump", pump_Pa);
+    of_surface.chain(drive).chain(pump).collect()
 }

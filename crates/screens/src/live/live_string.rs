@@ -12,6 +12,7 @@ use tokio::sync::{oneshot, watch};
 use wholestring::operation::Operation;
 use wholestring_case::Case;
 use wholestring_runner::Instant;
+use wholestring_units::UnitSet;
 
 use super::{
     checkpoints::{CheckpointEntry, Checkpoints},
@@ -167,6 +168,13 @@ impl LiveString {
     pub fn set(&self, set: SetPoints) -> Result<(), LiveError> {
         if let Some(fault) = set.fault(&self.operation) {
             return Err(LiveError::Refused(fault));
+        }
+        let judge = self.case.judge(UnitSet::Si);
+        let too_heavy = set
+            .weight_on_bit_N
+            .and_then(|weight_N| judge.set_weight(&self.case.model, &self.operation, weight_N));
+        if let Some(check) = too_heavy {
+            return Err(LiveError::Refused(format!("{}. It was not set", check.wording)));
         }
         if !set.is_empty() {
             self.wanted.set(set);

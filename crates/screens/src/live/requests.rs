@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 use wholestring_case::{Files, parse};
+use wholestring_units::UnitSet;
 
 use super::{
     command::LiveError, live_string::LiveString, recording::RecordedEvent, schedule_text,
@@ -72,7 +73,7 @@ impl LiveEntry {
             name: name.to_owned(),
             operation,
             state: status.state,
-            sentence: status.sentence.clone(),
+            sentence: status.in_units(UnitSet::Si).sentence,
             time_s: status.time_s,
             viewers: status.viewers,
         }

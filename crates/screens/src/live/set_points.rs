@@ -9,6 +9,8 @@ use wholestring::{
     operation::Operation,
 };
 use wholestring_case::MAX_FRICTION;
+use wholestring_judge::{Quantity, Rounding};
+use wholestring_units::{Dimension, number_text};
 
 /// Set points of the driller; omitted ones stay unchanged.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, ToSchema)]
@@ -70,26 +72,48 @@ impl SetPoints {
         self.ramp_s = later.ramp_s;
     }
 
-    /// The reason why an operation refuses these set points, as a sentence.
+    /// The reason why an operation refuses these set points, as a sentence with marked quantities.
     pub(super) fn fault(&self, operation: &Operation) -> Option<String> {
         let ranges = [
-            ("the rotary speed", self.rotary_speed_rad_per_s, [0.0, MAX_ROTARY_SPEED_RAD_PER_S]),
             (
-                "the speed of the block",
+                "rotary speed",
+                Dimension::RotarySpeed,
+                self.rotary_speed_rad_per_s,
+                [0.0, MAX_ROTARY_SPEED_RAD_PER_S],
+            ),
+            (
+                "speed of the block",
+                Dimension::TripSpeed,
                 self.block_velocity_m_per_s,
                 [-MAX_BLOCK_VELOCITY_M_PER_S, MAX_BLOCK_VELOCITY_M_PER_S],
             ),
-            ("the weight on bit", self.weight_on_bit_N, [0.0, MAX_WEIGHT_ON_BIT_N]),
-            ("the flow rate", self.flow_rate_m3_per_s, [0.0, MAX_FLOW_RATE_M3_PER_S]),
-            ("the friction", self.friction, [0.0, MAX_FRICTION]),
-            ("the ramp", Some(self.ramp_s), [0.0, MAX_RAMP_S]),
+            ("weight on bit", Dimension::Force, self.weight_on_bit_N, [0.0, MAX_WEIGHT_ON_BIT_N]),
+            (
+                "flow rate",
+                Dimension::FlowRate,
+                self.flow_rate_m3_per_s,
+                [0.0, MAX_FLOW_RATE_M3_PER_S],
+            ),
+            ("ramp", Dimension::Time, Some(self.ramp_s), [0.0, MAX_RAMP_S]),
         ];
-        for (name, value, [low, high]) in ranges {
+        for (name, dimension, value, [low, high]) in ranges {
             if let Some(value) = value
                 && !(low..=high).contains(&value)
             {
-                return Some(format!("{name} is {value} in SI units: expected {low} to {high}"));
+                let text = |si| Quantity::new(dimension, si, Rounding::Four);
+                let [value, low, high] = [value, low, high].map(text);
+                return Some(format!(
+                    "The {name} of {value} is out of range: expected {low} to {high}. It was not set"
+                ));
             }
+        }
+        if let Some(friction) = self.friction.filter(|value| !(0.0..=MAX_FRICTION).contains(value))
+        {
+            return Some(format!(
+                "The friction coefficient of {} is out of range: expected 0 to {MAX_FRICTION}. It \
+                 was not set",
+                number_text(friction)
+            ));
         }
         let (kind, turns) = (operation.kind, self.rotary_speed_rad_per_s.unwrap_or(0.0) > 0.0);
         if turns && !kind.rotates() {

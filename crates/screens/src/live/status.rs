@@ -2,8 +2,10 @@
 
 use serde::Serialize;
 use utoipa::ToSchema;
+use wholestring_judge::{Check, Wording};
+use wholestring_units::UnitSet;
 
-use super::{checkpoints::CheckpointEntry, lamps::Lamps, pace::Pace};
+use super::{checkpoints::CheckpointEntry, lamp::Lamp, pace::Pace};
 
 /// State of a live string.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, ToSchema)]
@@ -43,8 +45,15 @@ pub struct Status {
     pub friction: Vec<f64>,
     /// The top drive's controller; null if it follows its set point at any torque.
     pub controller: Option<String>,
-    /// Lamps.
-    pub lamps: Lamps,
+    /// Reason why it runs slower than its pace, if it does.
+    pub slow: Option<String>,
+    /// Depth of the hole, m.
+    pub hole_depth_m: f64,
+    /// The judge's checks of the present motion that need attention, the most severe first:
+    /// limits of pipe and rig, and states of the motion.
+    pub alarms: Vec<Check>,
+    /// Lamps of stick-slip, whirl and top drive.
+    pub lamps: Vec<Lamp>,
     /// Number of pages that view it.
     pub viewers: usize,
 }
@@ -63,8 +72,22 @@ impl Status {
             replaying: 0,
             friction: Vec::new(),
             controller: None,
-            lamps: Lamps::default(),
+            slow: None,
+            hole_depth_m: 0.0,
+            alarms: Vec::new(),
+            lamps: Vec::new(),
             viewers: 0,
+        }
+    }
+    /// The same with its sentences in these units.
+    #[must_use]
+    pub fn in_units(&self, units: UnitSet) -> Self {
+        let sentence = self.sentence.as_deref();
+        Self {
+            sentence: sentence.map(|sentence| Wording::from(sentence).in_units(units)),
+            alarms: self.alarms.iter().map(|check| check.clone().in_units(units)).collect(),
+            lamps: self.lamps.iter().map(|lamp| lamp.in_units(units)).collect(),
+            ..self.clone()
         }
     }
 }

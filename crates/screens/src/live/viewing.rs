@@ -4,8 +4,10 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
+use wholestring_units::{UnitSet, UnknownUnitSet};
 
 use super::{
+    command::LiveError,
     layout::Layout,
     live_string::{LiveString, Viewer},
     pace::Pace,
@@ -59,6 +61,8 @@ pub enum Said {
     Run(bool),
     /// Advances by this many seconds, and pauses then.
     Step(f64),
+    /// Changes the units of the sentences: `si`, `metric` or `field`.
+    Units(String),
 }
 
 /// Maximum number of samples in a message; the others follow in the next one.
@@ -69,13 +73,16 @@ pub struct Viewing {
     string: Arc<LiveString>,
     epoch: u32,
     next: u64,
+    /// Units of the sentences; by default those of the case.
+    units: UnitSet,
     _viewer: Viewer,
 }
 
 impl Viewing {
     /// A page to which nothing was sent.
     pub fn of(string: &Arc<LiveString>) -> Self {
-        Self { string: string.clone(), epoch: u32::MAX, next: 0, _viewer: string.view() }
+        let units = string.case().units;
+        Self { string: string.clone(), epoch: u32::MAX, next: 0, units, _viewer: string.view() }
     }
 
     /// New samples, as sent, and whether more are waiting; none if there are no newer ones.
@@ -105,7 +112,16 @@ impl Viewing {
                 Ok(())
             }
             Said::Step(seconds) => string.step(seconds),
+            Said::Units(name) => name
+                .parse()
+                .map(|units| self.units = units)
+                .map_err(|error: UnknownUnitSet| LiveError::Refused(error.to_string())),
         };
-        done.err().map(|error| error.to_string())
+        done.err().map(|error| error.in_units(self.units))
+    }
+
+    /// The status with its sentences in the units of the page.
+    pub fn status(&self, status: &Status) -> Status {
+        status.in_units(self.units)
     }
 }

@@ -1,6 +1,6 @@
 // Cases of this browser, with the operations that the server of the program has for those of its folder.
 
-import type { BesideFile, CaseInList, CaseText, Draft, Example } from "../api/cases";
+import type { BesideFile, CaseInList, CaseText, Checked, Draft, Example, Silhouette } from "../api/cases";
 import { ApiError } from "../api/client";
 import { Desk, unpack } from "./desk";
 import * as folder from "./folder";
@@ -26,12 +26,24 @@ async function fill(): Promise<void> {
   }
 }
 
+/** The well of a text as a line. */
+function silhouetteOf({ layout: { path, hole, string } }: Checked): Silhouette | null {
+  if (!path) return null;
+  const { md_m, vertical_section_m, tvd_m } = path;
+  const shoes = hole.filter(({ kind }) => kind === "casing").map(({ to_m }) => to_m);
+  const bit_md_m = string.at(-1)?.to_m ?? md_m.at(-1) ?? 0;
+  return { md_m, vertical_section_m, tvd_m, shoe_md_m: shoes.length > 0 ? Math.max(...shoes) : null, bit_md_m };
+}
+
 export async function list(): Promise<CaseInList[]> {
   if (folder.isNew()) await fill();
   const entry = async (id: string): Promise<CaseInList> => {
     const { text, modified_ms } = folder.caseOf(id);
     const { name, problem } = await ofText<{ name: string | null; problem: string | null }>("title", id, { text });
-    return { id, path: id, name: name ?? id.replace(/\.toml$/i, ""), problem, verdict: null, has_draft: folder.draftOf(id) !== null, modified_ms };
+    const silhouette = silhouetteOf(await ofText<Checked>("check", id, { text }));
+    const shownName = name ?? id.replace(/\.toml$/i, "");
+    // The list of this browser has no answers: they are computed once a case is opened.
+    return { id, path: id, name: shownName, problem, silhouette, overview: null, is_pending: false, verdict: null, has_draft: folder.draftOf(id) !== null, modified_ms };
   };
   return Promise.all(folder.names().filter(folder.isCase).map(entry));
 }

@@ -1,6 +1,7 @@
 // Cases of the folder: their texts, drafts and diagnostics.
 
 import { request } from "#asked";
+import type { UnitSet } from "../settings.svelte";
 import { part } from "./client";
 import type {
   Applied,
@@ -21,6 +22,7 @@ export type {
   Applying,
   CaseEntry as CaseInList,
   CaseValue as Value,
+  CaseOverview,
   CaseVerdict,
   Change,
   Checked,
@@ -33,6 +35,7 @@ export type {
   OpenCase as CaseText,
   OpenDraft as Draft,
   PathView,
+  Silhouette,
   Start,
   Stations,
   Survey as PastedSurvey,
@@ -43,7 +46,9 @@ export type Table = { [key: string]: Value };
 /** SI values of texts, by dimension and text. */
 export type Quantities = Checked["quantities"];
 
-export const listCases = (): Promise<CaseInList[]> => request("GET", "/cases");
+/** The cases of the folder; `units` are those of the sentences, by default those of each case. */
+export const listCases = (units?: UnitSet): Promise<CaseInList[]> =>
+  request("GET", units === undefined ? "/cases" : `/cases?units=${units}`);
 export const readCase = (id: string): Promise<CaseText> => request("GET", `/cases/${part(id)}`);
 export const createCase = (file_name: string, text: string, beside: BesideFile[]): Promise<{ id: string }> =>
   request("POST", "/cases", { file_name, text, beside });

@@ -7,7 +7,7 @@ import type { KeptEntry as KeptString, LiveEntry, Scheduled } from "./types";
 export type {
   KeptEntry as KeptString,
   Knob as KnobRange,
-  Lamps,
+  Lamp,
   LiveEntry,
   LiveLayout as Layout,
   LiveSetPoints as SetPoints,

@@ -263,15 +263,34 @@ export interface CaseEntry {
   has_draft: boolean;
   /** Identifier in requests. */
   id: string;
+  /** Whether `problem`, `silhouette` or `overview` is still computed: a later list has them. */
+  is_pending: boolean;
   /** Time of its last change, milliseconds since 1970. */
   modified_ms: number;
   /** Its name in results. */
   name: string;
+  overview: CaseOverview | null;
   /** Path within the folder, for display. */
   path: string;
-  /** Its first mistake; null if there is none, or if there was no time to check. */
+  /** Its first mistake; null if there is none, or if it is not yet checked. */
   problem: string | null;
+  silhouette: Silhouette | null;
   verdict: CaseVerdict | null;
+}
+
+/** The judge's verdict on a case by the soft string, and key numbers of the operation that it is about. */
+export interface CaseOverview {
+  /** Bit depth of that operation, m. */
+  bit_depth_m: number;
+  check: WorstCheck | null;
+  /** Hook load of that operation without the block, N. */
+  hook_load_N: number | null;
+  /** Reason why an operation has no answer. */
+  message: string | null;
+  /** The operation of the check: `drill`, ...; without a check, the first. */
+  operation: string;
+  /** Surface torque of that operation, N m. */
+  surface_torque_N_m: number | null;
 }
 
 /** A value of a case file. */
@@ -781,18 +800,15 @@ export interface Knobs {
   weight_on_bit_N: Knob | null;
 }
 
-/** Lamps of the driller's seat. */
-export interface Lamps {
-  backward_whirl: WhirlLamp | null;
-  forward_whirl: WhirlLamp | null;
-  stick_slip: StickSlipLamp | null;
-  stick_slip_severity: Severity | null;
-  top_drive_severity: Severity | null;
-  /** Whether the top drive's torque is limited by its capacity. */
-  top_drive_stalls: boolean;
-  /** Largest surface torque of that time over the top drive's maximum torque, or else over its rated torque; null if neither is known. */
-  torque_use: number | null;
-  whirl_severity: Severity | null;
+/** A lamp of the driller's seat. */
+export interface Lamp {
+  /** Its name. */
+  name: string;
+  /** Its meaning as a sentence in the viewer's units. */
+  sentence: string;
+  severity: Severity | null;
+  /** Its value in a word or a percentage. */
+  value: string;
 }
 
 /** Survey, path, hole and string. */
@@ -866,8 +882,12 @@ export interface LiveId {
 
 /** Layout of a live string, which a viewer needs before the first frame. */
 export interface LiveLayout {
+  /** Depth of the bit at the start of the operation, m. */
+  bit_depth_m: number;
   /** Its case. */
   case: string;
+  /** Units of the case. */
+  case_units: UnitSet;
   /** Contact radius of each node from the surface down, m. */
   contact_radius_m: number[];
   /** Number of elements of the string. */
@@ -880,6 +900,8 @@ export interface LiveLayout {
   id: string;
   /** The knobs. */
   knobs: Knobs;
+  /** Limits of the strip charts. */
+  limits: LiveLimit[];
   /** The name of the case. */
   name: string;
   /** Name of the operation. */
@@ -896,6 +918,16 @@ export interface LiveLayout {
   torsional_travel_s: number;
   /** Display units of each dimension: in SI, metric and field units. */
   units: { [key: string]: UnitsOfSets };
+}
+
+/** A limit of a column of the samples. */
+export interface LiveLimit {
+  /** Name of the column. */
+  column: string;
+  /** Its label. */
+  label: string;
+  /** The allowable value, SI. */
+  value: number;
 }
 
 /** The path of the well in columns. */
@@ -1296,6 +1328,20 @@ export interface ShownUnit {
   symbol: string | null;
 }
 
+/** The well of a case as a line, for a small drawing. */
+export interface Silhouette {
+  /** Measured depth of the bit in the first operation, m. */
+  bit_md_m: number;
+  /** Measured depths, m. */
+  md_m: number[];
+  /** Measured depth of the deepest casing shoe, m; null without casing. */
+  shoe_md_m: number | null;
+  /** True vertical depths, m. */
+  tvd_m: number[];
+  /** Distances along the direction of the closure, m. */
+  vertical_section_m: number[];
+}
+
 /** An operation by a model, as in the `summary.json` of a run, which has more. */
 export type Solved = SolvedScalars & {
   /** The checks, the most severe first. */
@@ -1375,6 +1421,8 @@ export interface Stations {
 
 /** Status of a live string, sent at changes and a few times a second. */
 export interface Status {
+  /** The judge's checks of the present motion that need attention, the most severe first: limits of pipe and rig, and states of the motion. */
+  alarms: Check[];
   /** Moments to rewind to. */
   checkpoints: CheckpointEntry[];
   /** The top drive's controller; null if it follows its set point at any torque. */
@@ -1383,8 +1431,10 @@ export interface Status {
   events: number;
   /** Kinetic friction coefficient of each hole section. */
   friction: number[];
-  /** Lamps. */
-  lamps: Lamps;
+  /** Depth of the hole, m. */
+  hole_depth_m: number;
+  /** Lamps of stick-slip, whirl and top drive. */
+  lamps: Lamp[];
   /** The requested pace. */
   pace: Pace;
   /** Simulated seconds per wall-clock second, over the last second. */
@@ -1393,22 +1443,14 @@ export interface Status {
   replaying: number;
   /** Reason of the state, or of a refused set point, if there is one. */
   sentence: string | null;
+  /** Reason why it runs slower than its pace, if it does. */
+  slow: string | null;
   /** Its state. */
   state: LiveState;
   /** Simulated time, s. */
   time_s: number;
   /** Number of pages that view it. */
   viewers: number;
-}
-
-/** Unsteadiness of the bit's rotation. */
-export interface StickSlipLamp {
-  /** Mean time between two slips, s; null for steady rotation. */
-  period_s: number | null;
-  /** `(max - min)/(2 mean)` of the bit's speed; null if its mean is zero. */
-  severity: number | null;
-  /** Fraction of the time in which the bit is stuck. */
-  stuck_fraction: number;
 }
 
 /** Options of `study`. */
@@ -1547,16 +1589,6 @@ export type WellView = PathView & {
   string: Component[];
 };
 
-/** Whirl in one direction. */
-export interface WhirlLamp {
-  /** Fraction of the string in this whirl. */
-  length_fraction: number;
-  /** Depth at which it is fastest, m. */
-  md_m: number;
-  /** Its rate over the rotary speed. */
-  ratio: number;
-}
-
 /** A command with its options. */
 export type Work = {
   /** Whether the tables are written as CSV too. */
@@ -1593,3 +1625,13 @@ export type Work = {
   /** Share of the points to drill, such as `1/4`. */
   shard?: string | null;
 };
+
+/** The most severe check of a case. */
+export interface WorstCheck {
+  /** Its sentence, and the number of other errors and warnings. For a case without an error or a warning, it is the limit with the least reserve. */
+  sentence: string;
+  /** Its severity. */
+  severity: Severity;
+  /** The verdict in words: `OK`, `marginal`, `below required factor`, `exceeded`. */
+  verdict: string;
+}

@@ -1,4 +1,4 @@
-// Panels next to the form.
+// Panels below the form, on demand.
 
 import type { Component } from "svelte";
 import type { PanelProps } from "./panel";
@@ -10,10 +10,9 @@ export interface Panel {
   load: () => Promise<{ default: Component<PanelProps> | Component }>;
 }
 
-/** The panels, from left to right; only the first is visible initially. */
+/** The panels; at most one is visible. */
 export const PANELS: Panel[] = [
   { name: "text", title: "TOML", load: () => import("./text/TextEditor.svelte") },
-  { name: "answers", title: "Answers", load: () => import("./AnswersPanel.svelte") },
   ...(__ALONE__ ? [] : [{ name: "work", title: "Run", load: () => import("./WorkPanel.svelte") }]),
 ];
 

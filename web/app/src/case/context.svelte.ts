@@ -1,6 +1,7 @@
 // State shared by the parts of the editor.
 
 import { getContext, setContext } from "svelte";
+import { LiveAnswers } from "../answers/liveAnswers.svelte";
 import type { Diagnostic } from "../api/client";
 import type { OpenCase } from "./openCase.svelte";
 
@@ -12,6 +13,8 @@ export interface About {
 
 export class Editor {
   readonly opened: OpenCase;
+  /** Answers of the current text. */
+  readonly live: LiveAnswers;
   /** Description of the key in focus. */
   about = $state.raw<About | null>(null);
   /** The key that the form should go to; a new object each time. */
@@ -21,6 +24,7 @@ export class Editor {
 
   constructor(opened: OpenCase) {
     this.opened = opened;
+    this.live = new LiveAnswers(opened.id);
   }
 
   /** The most severe diagnostic of a key, and with `deep` of the keys in it. */

@@ -1,4 +1,4 @@
-// Properties of every panel next to the form.
+// Properties of every panel below the form.
 
 import type { Change } from "../api/cases";
 

@@ -28,6 +28,34 @@ export function sectionsOf(schema: Schema): Section[] {
   return sections;
 }
 
+/** Groups of sections, with the names of those in each; all others are in the last one. */
+const GROUPS: readonly (readonly [title: string, names: readonly string[]])[] = [
+  ["Well", ["well", "hole"]],
+  ["String", ["string", "steel", "catalogue", "ends", "bit", "rock"]],
+  ["Fluids", ["mud"]],
+  ["Rig", ["rig", "hoist", "top_drive"]],
+  ["Operations", ["operation", "plan"]],
+  ["Analysis", ["case"]],
+];
+
+/** Sections under a heading. */
+export interface Group {
+  title: string;
+  sections: Section[];
+}
+
+/** The sections in their groups, in the order of the groups. */
+export function grouped(sections: Section[]): Group[] {
+  const named = GROUPS.map(([title, names]) => ({
+    title,
+    sections: names.flatMap((name) => sections.filter((one) => one.name === name)),
+  }));
+  const placed = new Set(named.flatMap((group) => group.sections));
+  const last = named.at(-1);
+  last?.sections.push(...sections.filter((one) => !placed.has(one)));
+  return named.filter((group) => group.sections.length > 0);
+}
+
 /** The section of a key: that of its longest prefix. */
 export function sectionOf(sections: Section[], key: string): Section | undefined {
   const inside = sections.filter((one) => one.key !== "" && (key === one.key || key.startsWith(`${one.key}.`)));

@@ -3,6 +3,7 @@
 import { lineTo } from "#asked";
 import type { Layout, Pace, SetPoints, Status } from "../api/live";
 import { OPEN, type Line } from "../api/line";
+import type { UnitSet } from "../settings.svelte";
 import { Samples } from "./samples";
 
 const SAMPLES = 1;
@@ -25,7 +26,7 @@ export class Connection {
   layout = $state.raw<Layout | null>(null);
   status = $state.raw<Status | null>(null);
   connected = $state(false);
-  /** Message of the last refusal. */
+  /** Message of the last refusal, until the next request. */
   refused = $state<string | null>(null);
   samples: Samples | null = null;
   frame: Frame | null = null;
@@ -36,6 +37,7 @@ export class Connection {
   #tries = 0;
   #timer = 0;
   #closed = false;
+  #units: UnitSet | null = null;
 
   constructor(id: string) {
     this.id = id;
@@ -48,7 +50,8 @@ export class Connection {
     socket.onopen = () => {
       this.connected = true;
       this.#tries = 0;
-      if (this.samples) this.#say({ have: { epoch: this.samples.epoch, next: this.samples.next } });
+      if (this.samples) this.#send({ have: { epoch: this.samples.epoch, next: this.samples.next } });
+      if (this.#units) this.#send({ units: this.#units });
     };
     socket.onmessage = ({ data }) => {
       if (typeof data === "string") this.#hear(data);
@@ -88,7 +91,17 @@ export class Connection {
 
   #say(message: object): void {
     this.refused = null;
+    this.#send(message);
+  }
+
+  #send(message: object): void {
     if (this.#socket?.readyState === OPEN) this.#socket.send(JSON.stringify(message));
+  }
+
+  /** The units of the server's sentences. */
+  units(units: UnitSet): void {
+    this.#units = units;
+    this.#send({ units });
   }
 
   set(set: SetPoints): void {

@@ -10,6 +10,8 @@ export class Pen {
   readonly to: CanvasRenderingContext2D;
   width = 0;
   height = 0;
+  /** Whether the canvas was emptied by a change of its size. */
+  emptied = true;
   readonly #watch: ResizeObserver;
 
   constructor(canvas: HTMLCanvasElement) {
@@ -29,6 +31,7 @@ export class Pen {
     this.canvas.width = Math.round(clientWidth * sharp);
     this.canvas.height = Math.round(clientHeight * sharp);
     this.to.setTransform(sharp, 0, 0, sharp, 0, 0);
+    this.emptied = true;
   }
 
   close(): void {

@@ -1,1 +1,0 @@
-import"./disclose-version.js";import{t as e}from"./Answers.js";function t(t,n){e(t,{get id(){return n.id},get text(){return n.text},get valid(){return n.valid},get apply(){return n.replace}})}export{t as default};

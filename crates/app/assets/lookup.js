@@ -1,1 +1,0 @@
-import{c as e}from"./app.js";function t(t){let n=null;return()=>(n??=e(`GET`,t).catch(e=>{throw n=null,e}),n)}var n=t(`/schema`),r=t(`/units`),i=(t,n)=>e(`GET`,`/catalogue?${new URLSearchParams({word:t})}`,void 0,n);export{r as n,i as r,n as t};
