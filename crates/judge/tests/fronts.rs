@@ -51,7 +51,7 @@ const COMPARED: [&str; 9] = [
 ];
 
 /// Lines that contain one of these words and make no verdict: a part of the line, and the reason.
-const DECLARED: [(&str, &str); 10] = [
+const DECLARED: [(&str, &str); 11] = [
     ("export type CheckKind =", "a type of the page, written from the declarations of the engine"),
     ("``\"", "a docstring lists the judge's words"),
     ("``marginal``", "a docstring lists the judge's words, written from their declaration"),
@@ -59,6 +59,7 @@ const DECLARED: [(&str, &str); 10] = [
     ("nothing locks up", "help on an option of the reach that leaves the helix's friction out"),
     ("ok: [\"OK\"", "the word of the judge's severity `ok`"),
     ("\"top_drive_stalled\"", "a kind of check, whose severity a read-out shows"),
+    ("\"weight_on_bit_exceeded\"", "a kind of check, whose severity a read-out shows"),
     ("stuck_fraction", "a field of the driller's seat, made by the engine"),
     ("must not get stuck", "a comment on a queue"),
     ("check that needs attention", "a comment on what is filtered by the judge's severity"),

@@ -4,7 +4,8 @@ use std::{
     borrow::Cow,
     fs, io,
     path::{Path, PathBuf},
-    time::SystemTime,
+    thread,
+    time::{Duration, SystemTime},
 };
 
 use super::{
@@ -59,14 +60,28 @@ impl CaseFile {
     }
 }
 
+/// Pauses before a file is read: one that another program is writing is empty for a moment, and no
+/// case.
+const PAUSES: [Duration; 3] =
+    [Duration::ZERO, Duration::from_millis(20), Duration::from_millis(80)];
+
 impl Workspace {
     /// Returns the case with an id.
     ///
     /// # Errors
     /// No case of the folder has it.
     pub(crate) fn case(&self, id: &str) -> Result<CaseFile, WorkspaceError> {
-        let found = self.cases().into_iter().find(|case| case.id == id);
-        found.ok_or(WorkspaceError::Nothing("case"))
+        for pause in PAUSES {
+            thread::sleep(pause);
+            if let Some(found) = self.cases().into_iter().find(|case| case.id == id) {
+                return Ok(found);
+            }
+            let is_its = |shown: &str| is_toml(shown) && id_of(shown) == id;
+            if !self.walk().iter().any(|place| is_its(&place.shown)) {
+                break;
+            }
+        }
+        Err(WorkspaceError::Nothing("case"))
     }
 
     /// Replaces the text of a case that is still at `revision`, and returns the new revision. Its
@@ -339,7 +354,26 @@ fn mistake(name: &str) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use super::{has_case, wrong};
+    use super::*;
+
+    /// An editor that empties a file before it writes it does not make the case vanish; a file that
+    /// stays empty is none.
+    #[test]
+    fn a_file_that_is_being_written_is_still_a_case() {
+        let place = tempfile::tempdir().expect("a folder");
+        let path = place.path().join("a.toml");
+        fs::write(&path, "").expect("a file");
+        let workspace = Workspace::open(place.path()).expect("a workspace");
+        let id = id_of("a.toml");
+        assert!(workspace.case(&id).is_err());
+        thread::scope(|scope| {
+            scope.spawn(|| {
+                thread::sleep(Duration::from_millis(30));
+                fs::write(&path, "[well]\nstations = []\n[[string]]\n").expect("a file");
+            });
+            assert!(workspace.case(&id).is_ok());
+        });
+    }
 
     #[test]
     fn a_case_has_a_well_or_a_string() {

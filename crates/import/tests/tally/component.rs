@@ -273,3 +273,20 @@ fn a_casing_programme_is_no_string() {
         imported(&format!("{head}Shoe joint,9.625,8.681,12,12\nCasing,9.625,8.681,1500,1512\n"));
     assert!(!notes(&string).contains("casing programme"), "{}", notes(&string));
 }
+
+/// The weight in the name of a pipe is nominal, whatever its bore.
+#[test]
+fn a_weight_that_is_in_the_name_is_nominal() {
+    let tally = |name: &str, weight: &str| {
+        imported(&format!(
+            "Item,OD (in),ID (in),Length (m),Wt (ppf)\nPDC bit,8.5,,0.3,\n\
+             {name},5.875,5.045,2900,{weight}\n"
+        ))
+    };
+    for name in ["5-7/8 DP 23.40# S-135", "5-7/8 DP 23.4 lb/ft"] {
+        let found = tally(name, "23.4");
+        assert!(notes(&found).contains("is the one in its name"), "{}", notes(&found));
+    }
+    let with_joints = tally("5-7/8 DP 23.40# S-135", "27.4");
+    assert!(!notes(&with_joints).contains("NOMINAL"), "{}", notes(&with_joints));
+}

@@ -106,8 +106,7 @@ impl Words<'_> {
                 };
                 format!(
                     "The helix that is pushed down is too near lock-up for a number: the hook load \
-                     is {}, and {finer} with elements half as long; the soft string's lock-up \
-                     decides",
+                     is {}, and {finer} with elements half as long. Judge by the lock-up factor",
                     text::force(value)
                 )
             }

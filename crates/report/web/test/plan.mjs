@@ -74,7 +74,7 @@ await check("what was measured, another program, peaks and samples have their se
 });
 
 await check("the workbook lies beside it", async () => {
-  assert.equal(await page.locator(".in-si a[href='plan.xlsx']").count(), 1);
+  assert.equal(await page.locator(".in-si a[href='plan.xlsx']").count(), 2);
   assert.ok(existsSync(join(dirname(file), "plan.xlsx")));
 });
 

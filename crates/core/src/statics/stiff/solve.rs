@@ -301,16 +301,18 @@ impl Task<'_> {
     }
 
     /// The same with the answer on a mesh whose elements are half as long where the string is
-    /// pushed down as a helix: from a cold start, as another choice of lengths would find it.
+    /// compressed, if it is pushed down as a helix: from a cold start, as another choice of lengths
+    /// would find it.
     fn on_finer_helix(&self, mut found: Equilibrium) -> Equilibrium {
         if !self.operation.slides_down() {
             return found;
         }
-        let long = found.compressed_beyond(|md_m| {
+        let in_helix = found.compressed_beyond(|md_m| {
             let row = self.soft.md_m.partition_point(|depth| *depth < md_m);
             *self.soft.helical_load_N.get(row)?
         });
-        if long.contains(&true) {
+        if in_helix.contains(&true) {
+            let long = found.compressed_beyond(|_| Some(0.0));
             let mesh = found.mesh.halved(&self.model.string, &long, SizeReason::Refined);
             let finer = self.found(mesh, None).ok();
             let hook_load_N = finer.map(|finer| finer.hook_load_N);

@@ -133,6 +133,33 @@ pub(crate) fn of(
     Ok(Some((value, from)))
 }
 
+/// Note on a weight that a pipe has in its name: names have nominal weights, such as that of
+/// `5-7/8 DP 23.40# S-135`, of whatever bore.
+fn weight_of_name(part: &Part, mass: f64, value: &Value, cell: &TallyCell) -> Option<Note> {
+    /// Half of the last digit of a weight in a name, lb/ft.
+    const ROUNDED: f64 = 0.05;
+    let pounds = unit(Dimension::MassPerLength, "lb/ft").from_si(mass);
+    let words: Vec<&str> = part.name.split_whitespace().collect();
+    let is_unit = |word: &str| matches!(word, "#" | "ppf" | "lb/ft" | "lbs/ft" | "lbf/ft");
+    let is_its = |at: usize| {
+        let number = words[at].trim_end_matches(|letter: char| !letter.is_ascii_digit());
+        let after = &words[at][number.len()..];
+        let has_unit = is_unit(&after.to_ascii_lowercase())
+            || after.is_empty()
+                && words.get(at + 1).is_some_and(|next| is_unit(&next.to_ascii_lowercase()));
+        has_unit && number.parse().is_ok_and(|number: f64| (number - pounds).abs() < ROUNDED)
+    };
+    (0..words.len()).any(is_its).then(|| {
+        Note::Warning(format!(
+            "the weight of '{}', {} ({}), is the one in its name, which is the NOMINAL WEIGHT, without \
+             tool joints: give catalogue, or mass_per_length with tool joints",
+            part.name,
+            shown(value),
+            cell.place
+        ))
+    })
+}
+
 /// Note on a weight that is the nominal one of drill pipe, which excludes tool joints: that of the
 /// catalogue entry, or of a pipe of these diameters.
 fn nominal_weight(part: &Part, body: &Body, value: &Value, cell: &TallyCell) -> Option<Note> {
@@ -140,7 +167,9 @@ fn nominal_weight(part: &Part, body: &Body, value: &Value, cell: &TallyCell) -> 
     if !body.is_pipe && body.entry.is_none() {
         return None;
     }
-    let found = nominal_pipe(body.entry, body.od_m, body.id_m, mass)?;
+    let Some(found) = nominal_pipe(body.entry, body.od_m, body.id_m, mass) else {
+        return weight_of_name(part, mass, value, cell);
+    };
     let with_joints = found.mass_per_length_kg_per_m(Material::STEEL.density_kg_per_m3);
     let pounds = unit(Dimension::MassPerLength, "lb/ft");
     let pounds = |mass: f64| format!("{:.1} lb/ft", pounds.from_si(mass));
