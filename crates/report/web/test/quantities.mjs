@@ -17,6 +17,8 @@ const UNITS = {
   "kN·m": [1e3, "N_m"],
   "N·m": [1, "N_m"],
   "ft·lbf": [FOOT * POUND, "N_m"],
+  "kN/m": [1e3, "N_per_m"],
+  "lbf/ft": [POUND / FOOT, "N_per_m"],
   MPa: [1e6, "Pa"],
   bar: [1e5, "Pa"],
   psi: [(POUND / FOOT ** 2) * 144, "Pa"],
@@ -73,7 +75,7 @@ export function quantities({ title, heads, rows }, row, column) {
 }
 
 /** What a name says of its unit: `hook_load_N` is in `N`. */
-const kindOf = (name) => name.match(/_(kg_per_m3|rad_per_m|rad_per_s|N_m|rad|Hz|Pa|N|m|s)$/)?.[1] ?? "";
+const kindOf = (name) => name.match(/_(kg_per_m3|N_per_m|rad_per_m|rad_per_s|N_m|rad|Hz|Pa|N|m|s)$/)?.[1] ?? "";
 
 const OF_UNIT = { N: "N", "N·m": "N_m", Pa: "Pa", m: "m", 1: "" };
 
