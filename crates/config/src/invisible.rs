@@ -59,8 +59,8 @@ fn is_virama(letter: char) -> bool {
     matches!(u32::from(letter), 0x0900..=0x0dff) && !letter.is_alphanumeric()
 }
 
-/// Format characters (general category Cf of Unicode 16, without the visible ones), separators of lines, fillers that are
-/// blank, and selectors of variants.
+/// Format characters (general category Cf of Unicode 16, without the visible ones), separators of
+/// lines, fillers that are blank, and selectors of variants.
 fn is_invisible(letter: char) -> bool {
     matches!(
         u32::from(letter),

@@ -173,7 +173,10 @@ impl Quantity {
                 let diagnostic = Diagnostic::error(format!("`{}` is not a number", short(found)))
                     .at(place, such_as);
                 if found.contains(',') {
-                    diagnostic.help("decimals follow a point, not a comma; thousands are separated as in \"20,000 ft\", or not at all")
+                    diagnostic.help(
+                        "decimals follow a point, not a comma; thousands are separated as in \
+                         \"20,000 ft\", or not at all",
+                    )
                 } else {
                     diagnostic
                 }

@@ -71,7 +71,7 @@ pub enum TableErrorKind {
     /// A file of another format.
     #[error("the file is {what}; a table as CSV or as an Excel workbook was expected")]
     OtherFormat {
-        /// What it is.
+        /// Its format, in words.
         what: &'static str,
     },
     /// A workbook that cannot be read.
@@ -80,7 +80,7 @@ pub enum TableErrorKind {
          as a spreadsheet program saves it"
     )]
     NotAWorkbook {
-        /// What is wrong with it, as a clause.
+        /// Its fault, as a clause.
         reason: String,
     },
     /// A limit on an amount is exceeded.

@@ -597,38 +597,3 @@ fn rows_with_more_cells_than_the_header_are_refused() {
         assert_eq!(survey(text).stations[2].md_m, 609.6, "{text}");
     }
 }
-
-/// `#` begins a comment, but `#1` beside other cells is the number of a row, and an error of a
-/// spreadsheet is a value that is missing.
-#[test]
-fn numbers_of_rows_and_errors_are_no_comments() {
-    let numbered = survey("No,MD (m),Inc (deg),Azi (deg)\n#1,0,0,0\n#2,100,1,10\n# a remark\n");
-    assert_stations(&numbered, &[[0.0, 0.0, 0.0], [100.0, 1.0, 10.0]]);
-    let unused = survey("No,MD (m),Inc (deg),Azi (deg)\n1,0,0,0\n#REF!,100,1,10\n");
-    assert_stations(&unused, &[[0.0, 0.0, 0.0], [100.0, 1.0, 10.0]]);
-    for error in ["#N/A", "#DIV/0!", "#VALUE!"] {
-        let text = format!("MD (m),Inc (deg),Azi (deg)\n0,0,0\n{error},1,10\n200,2,10\n");
-        let refused = read_csv(text.as_bytes(), "a.csv").expect_err("a depth is missing");
-        assert!(refused.to_string().contains("line 3, column 1"), "{refused}");
-        assert!(refused.to_string().contains(error), "{refused}");
-    }
-}
-
-/// A second table below the first, in another unit, is not read in that of the first.
-#[test]
-fn units_do_not_change_within_a_table() {
-    let head = "MD,Inc,Azi\nft,deg,deg\n0,0,0\n1500,0,0\n1600,3,45\n";
-    for second in ["MD,Inc,Azi\nm,deg,deg\n900,30,45\n", "m,deg,deg\n900,30,45\n"] {
-        let text = format!("{head}{second}");
-        let refused = read_csv(text.as_bytes(), "a.csv").expect_err("two units");
-        let TableErrorKind::UnitChanges { column, above, below } = refused.kind() else {
-            panic!("{refused}")
-        };
-        assert_eq!((*column, *above, *below), (Column::MeasuredDepth, "ft", "m"));
-    }
-    // The headings of another page, with the same units.
-    let again = survey(&format!("{head}MD,Inc,Azi\nft,deg,deg\n2900,30,45\n"));
-    assert_eq!(again.stations.len(), 4);
-    let brackets = "MD (ft),Inc,Azi\n0,0,0\n1600,3,45\nMD (m),Inc,Azi\n900,30,45\n";
-    assert!(read_csv(brackets.as_bytes(), "a.csv").is_err());
-}

@@ -149,7 +149,8 @@ fn place(reader: &mut Reader, sections: &mut [Section], depths: Depths) {
             Some(shoe_m) if (shoe_m - above_m - length_m).abs() > SAME_M => {
                 if shoe_m < length_m - SAME_M {
                     reader.warning(format!(
-                        "the section of line {} has a length of {} and a shoe at {}: the shoe is used",
+                        "the section of line {} has a length of {} and a shoe at {}: the shoe is \
+                         used",
                         section.row.line(),
                         section.length.text(),
                         section.shoe.map_or(String::new(), |shoe| shoe.text()),

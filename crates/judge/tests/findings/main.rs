@@ -3,6 +3,7 @@
 #[path = "../../../core/tests/common/mod.rs"]
 #[allow(unused_macros)]
 mod common;
+mod helix;
 mod hydraulics;
 mod in_time;
 mod judged;

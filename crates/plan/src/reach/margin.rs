@@ -45,8 +45,8 @@ const JUST_M: f64 = 1e-6;
 /// Part of the string's buoyed weight below which nothing hangs but what rounding leaves.
 const HANGS: f64 = 1e-6;
 
-/// Least margin of a string that is not locked up: where tension leaves a pipe no capacity, its load
-/// exceeds it without bound.
+/// Least margin of a string that is not locked up: where tension leaves a pipe no capacity, its
+/// load exceeds it without bound.
 pub const LEAST_MARGIN: f64 = -10.0;
 
 /// Relative difference by rounding of two ways to the same load.

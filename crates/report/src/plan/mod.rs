@@ -44,8 +44,8 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// The page of a plan, of the string in `plan_along.parquet` and of its events against time in `plan_peaks_time.parquet`; it opens in
-    /// these units, by default in those of the case.
+    /// The page of a plan, of the string in `plan_along.parquet` and of its events against time in
+    /// `plan_peaks_time.parquet`; it opens in these units, by default in those of the case.
     pub fn new(
         summary: PlanSummary,
         along: Vec<PlanStation>,

@@ -19,7 +19,7 @@ const fn spacing_m(units: UnitSet) -> f64 {
     }
 }
 
-/// What the gauges of the rig show.
+/// A gauge of the rig.
 #[derive(Clone, Copy)]
 enum Gauge {
     /// Hook load, with the block where its weight is given.

@@ -109,7 +109,7 @@ pub fn run(
              \"yes\" in the rows to fit"
         )));
     }
-    // What was left out may be the reason why there is no fit.
+    // Rows that were left out may be the reason why there is no fit.
     let about = format!("{name}: {}", data.notes.join("; "));
     let found = prepared(request, &name, &mut data, units, observer, cancellation);
     let (settings, search, mut robust) = found.inspect_err(|_| observer.note(&about))?;

@@ -137,7 +137,7 @@ impl PreparedJob {
         cancellation: &CancellationToken,
     ) -> Result<JobOutcome, Error> {
         self.warnings.iter().for_each(|report| observer.diagnostics(report));
-        // How a casing programme was read changes every result.
+        // The reading of a casing programme changes every result.
         let notes = self.case().map_or(&[][..], |case| &case.hole_notes);
         notes.iter().for_each(|note| observer.note(&format!("hole: {note}")));
         self.run(output, observer, cancellation)

@@ -34,7 +34,7 @@ pub struct Convergence {
     /// are given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mesh_error: Option<MeshError>,
-    /// The same string on a finer mesh, of a string that is pushed down as a helix; `None` of others.
+    /// The same on a finer mesh, of a string that is pushed down as a helix; `None` of others.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub finer_helix: Option<FinerHelix>,
     /// The element that exceeds its own buckling load most, where one does: the state is valid only
@@ -44,8 +44,8 @@ pub struct Convergence {
 }
 
 /// A string that is pushed down as a helix, on a mesh with elements half as long where it is
-/// compressed. Friction feeds on the wall load of the helix, and that on the compression: near lock-up
-/// two meshes may have helices of other lengths, and other hook loads.
+/// compressed. Friction feeds on the wall load of the helix, and that on the compression: near
+/// lock-up two meshes may have helices of other lengths, and other hook loads.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FinerHelix {
     /// Hook load without block, N; `None` where no equilibrium was found.

@@ -151,8 +151,8 @@ fn weight_of_name(part: &Part, mass: f64, value: &Value, cell: &TallyCell) -> Op
     };
     (0..words.len()).any(is_its).then(|| {
         Note::Warning(format!(
-            "the weight of '{}', {} ({}), is the one in its name, which is the NOMINAL WEIGHT, without \
-             tool joints: give catalogue, or mass_per_length with tool joints",
+            "the weight of '{}', {} ({}), is the one in its name, which is the NOMINAL WEIGHT, \
+             without tool joints: give catalogue, or mass_per_length with tool joints",
             part.name,
             shown(value),
             cell.place

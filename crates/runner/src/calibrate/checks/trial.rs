@@ -28,7 +28,7 @@ pub(super) enum Block {
 }
 
 impl Block {
-    /// What a comparison with the string leaves open.
+    /// The quantities that a comparison with the string leaves open, in words.
     pub(super) const fn left_open(self) -> &'static str {
         match self {
             Self::Held(_) => "any friction",

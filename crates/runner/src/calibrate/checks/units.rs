@@ -112,7 +112,8 @@ pub(super) fn weights(data: &Readings, trial: &Trial) -> Vec<ReadingCheck> {
                 .collect();
             let sentence = format!(
                 "the weights seem not to be in {}, the unit of their headings: with {} they deviate \
-                 by {} or more from the loads of the string in this hole, but in {} they match within {:.1} % (a factor of {}); {}: a {} of {} with the bit at \
+                 by {} or more from the loads of the string in this hole, but in {} they match \
+                 within {:.1} % (a factor of {}); {}: a {} of {} with the bit at \
                  {}, where {} is expected. Is the unit {}?",
                 heading.symbol,
                 trial.block.left_open(),
